@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Where the paper's own form of an equation can be run beside ours.
+#pragma once
+
+#include <array>
+
+namespace bake {
+
+/// `standard` is this project's form; `published` is the equation as printed. See docs/departures.md.
+enum class Form { standard, published };
+constexpr auto choice_names(Form) { return std::array{"standard", "published"}; }
+
+}  // namespace bake
