@@ -61,6 +61,9 @@ struct Parameter {
   Presence presence = Presence::optional;
 };
 
+template <class Owner, class Value, class... Rest>
+Parameter(const char*, Value Owner::*, Rest...) -> Parameter<Owner, Value>;  // Clang 14 does not deduce aggregates
+
 using Vector3 = std::array<double, 3>;
 
 /// A quantity that changes with time (or stays constant: one point). Linear between points, flat outside.
