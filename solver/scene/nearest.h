@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Guessing what was meant by a name that does not exist.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bake {
+
+/// The known name that the fewest edits make from `word` (insert, delete, replace, swap neighbours; case is ignored);
+/// empty if none is similar.
+std::string nearest(std::string_view word, const std::vector<std::string>& known);
+
+/// The end of a message about an unknown word: "did you mean 'x'?", or "allowed: x, y, z" if nothing is similar.
+std::string suggestion(std::string_view word, const std::vector<std::string>& known);
+
+}  // namespace bake

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// A scene with every value in force, defaults included, as JSON.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "solver/scene/scene.h"
+
+namespace bake {
+
+/// Everything the run is made from, laid out like the scene file: `toml_text` of it without "file" and "quality" is a scene
+/// that resolves to the same values. Infinities are the strings "inf" and "-inf", what was not given and has no default is
+/// null, curves are lists of [time_s, value], shapes are as the scene draws them with their own defaults filled in.
+nlohmann::json resolved(const Scene& scene);
+
+/// Hash (16 hexadecimal digits) of the resolved scene without where its file is, run.end_s and run.checkpoint_every_frames:
+/// a checkpoint of one scene can be continued by another exactly if they agree. The same on every machine.
+std::string scene_fingerprint(const Scene& scene);
+
+/// A resolved value in one line of TOML; null members are left out.
+std::string toml_text(const nlohmann::json& value);
+
+}  // namespace bake
