@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "solver/boundary/rotation.h"
 #include "solver/boundary/shape.h"
 
 namespace bake {
@@ -23,32 +24,46 @@ struct Keyframe {
   }
 };
 
-/// Rigid pose x = R (X - pivot) + pivot + offset, and its velocity field v(x) = v_0 + omega x (x - centre).
+/// Rigid pose x = R (X - pivot) + centre, and its velocity field v(x) = velocity + spin x (x - centre).
 struct RigidState {
-  std::array<Vector3, 3> rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< rows of R
-  Point centre = {0, 0, 0};         ///< where the pivot is now [m]
-  Point pivot = {0, 0, 0};          ///< where the pivot was drawn [m]
-  Vector3 velocity = {0, 0, 0};     ///< of the pivot [m/s]
-  Vector3 spin = {0, 0, 0};         ///< angular velocity [rad/s]
+  Rotation rotation = k_no_rotation;  ///< rows of R
+  Point centre = {0, 0, 0};           ///< where the pivot is now [m]
+  Point pivot = {0, 0, 0};            ///< where the pivot was drawn [m]
+  Vector3 velocity = {0, 0, 0};       ///< of the pivot [m/s]
+  Vector3 spin = {0, 0, 0};           ///< angular velocity [rad/s]
 
-  Point to_drawn(const Point& x) const;           ///< world point -> the frame the shape was drawn in
-  Vector3 turn(const Vector3& drawn) const;       ///< direction in the drawn frame -> world
-  Vector3 velocity_at(const Point& x) const;
+  Point to_drawn(const Point& x) const { return turn_back(rotation, x - centre) + pivot; }  ///< world -> drawn frame
+  Point to_world(const Point& drawn) const { return rotation * (drawn - pivot) + centre; }
+  Vector3 turn(const Vector3& drawn) const { return rotation * drawn; }  ///< direction in the drawn frame -> world
+  Vector3 velocity_at(const Point& x) const { return velocity + cross(spin, x - centre); }
 };
 
-/// Piecewise rigid motion through keyframes: offsets linear in time, rotations at constant angular velocity between
-/// neighbouring keys (the shorter way), at rest before the first and after the last.
+/// Piecewise rigid motion through keyframes: offsets linear in time, rotations at constant angular velocity, at rest
+/// before the first and after the last. Between rotation vectors along one axis the rotation is as written, whole
+/// turns included ([0,0,0] to [0,0,720] turns twice); otherwise it goes the shorter way.
+/// At a key the velocity is that of the leg which begins there.
 class RigidPath {
  public:
-  RigidPath() = default;  ///< at rest where drawn
-  RigidPath(std::vector<Keyframe> keys, const Point& pivot);  ///< throws std::invalid_argument if times do not rise
+  RigidPath() = default;                                             ///< at rest where drawn
+  RigidPath(const std::vector<Keyframe>& keys, const Point& pivot);  ///< throws std::invalid_argument if times do not rise
   RigidState at(double time_s) const;
-  /// Largest speed of any point of `box` (drawn frame) over the whole path [m/s].
+  /// Bound on the speed of any point of `box` (drawn frame) over the whole path [m/s]; exact without rotation or
+  /// without translation. Infinite if an infinite box turns.
   double largest_speed(const Box3& box) const;
-  bool moves() const { return keys_.size() > 1; }
+  bool moves() const { return legs_.size() > 1; }
 
  private:
-  std::vector<Keyframe> keys_;
+  /// From one key to the next; the last leg is at rest.
+  struct Leg {
+    double start_s = 0;
+    Vector3 offset = {0, 0, 0};    ///< at the start
+    Quaternion orientation;        ///< at the start
+    Vector3 velocity = {0, 0, 0};  ///< of the pivot
+    Vector3 spin = {0, 0, 0};
+  };
+  RigidState state(const Leg& leg, double since_s) const;
+
+  std::vector<Leg> legs_;
   Point pivot_ = {0, 0, 0};
 };
 

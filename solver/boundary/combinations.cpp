@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <stdexcept>
+
+#include "solver/boundary/rotation.h"
+#include "solver/boundary/shapes.h"
+
+namespace bake {
+namespace {
+
+constexpr Box3 k_everywhere{{-k_infinity, -k_infinity, -k_infinity}, {k_infinity, k_infinity, k_infinity}};
+
+/// The part whose distance `before` all others', and that distance.
+struct Decisive {
+  const Shape* part;
+  double distance;
+};
+
+template <class Before>
+Decisive decisive(const std::vector<ShapePtr>& parts, const Point& x, Before before) {
+  Decisive best{parts[0].get(), parts[0]->distance(x)};
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const double distance = parts[i]->distance(x);
+    if (before(distance, best.distance)) best = {parts[i].get(), distance};
+  }
+  return best;
+}
+
+class Union final : public Shape {
+ public:
+  explicit Union(std::vector<ShapePtr> parts) : parts_(std::move(parts)) {}
+  double distance(const Point& x) const override { return decisive(parts_, x, std::less{}).distance; }
+  Point normal(const Point& x) const override { return decisive(parts_, x, std::less{}).part->normal(x); }
+  Box3 bounds() const override {
+    Box3 box = parts_[0]->bounds();
+    for (const ShapePtr& part : parts_) {
+      const Box3 other = part->bounds();
+      for (int i = 0; i < 3; ++i) {
+        box.low[i] = std::min(box.low[i], other.low[i]);
+        box.high[i] = std::max(box.high[i], other.high[i]);
+      }
+    }
+    return box;
+  }
+
+ private:
+  std::vector<ShapePtr> parts_;
+};
+
+class Intersection final : public Shape {
+ public:
+  explicit Intersection(std::vector<ShapePtr> parts) : parts_(std::move(parts)) {}
+  double distance(const Point& x) const override { return decisive(parts_, x, std::greater{}).distance; }
+  Point normal(const Point& x) const override { return decisive(parts_, x, std::greater{}).part->normal(x); }
+  Box3 bounds() const override {
+    Box3 box = k_everywhere;
+    for (const ShapePtr& part : parts_) {
+      const Box3 other = part->bounds();
+      for (int i = 0; i < 3; ++i) {
+        box.low[i] = std::max(box.low[i], other.low[i]);
+        box.high[i] = std::max(box.low[i], std::min(box.high[i], other.high[i]));  // of no extent if the parts are apart
+      }
+    }
+    return box;
+  }
+
+ private:
+  std::vector<ShapePtr> parts_;
+};
+
+class Complement final : public Shape {
+ public:
+  explicit Complement(ShapePtr shape) : shape_(std::move(shape)) {}
+  double distance(const Point& x) const override { return -shape_->distance(x); }
+  Point normal(const Point& x) const override { return -shape_->normal(x); }
+  Box3 bounds() const override { return k_everywhere; }
+
+ private:
+  ShapePtr shape_;
+};
+
+class Transformed final : public Shape {
+ public:
+  Transformed(ShapePtr shape, double scale, const Rotation& rotation, const Vector3& move)
+      : shape_(std::move(shape)), scale_(scale), rotation_(rotation), move_(move) {}
+  double distance(const Point& x) const override { return scale_ * shape_->distance(to_drawn(x)); }
+  Point normal(const Point& x) const override { return rotation_ * shape_->normal(to_drawn(x)); }
+  Box3 bounds() const override {
+    const Box3 box = turned(rotation_, shape_->bounds());
+    return {scale_ * box.low + move_, scale_ * box.high + move_};
+  }
+
+ private:
+  Point to_drawn(const Point& x) const { return (1 / scale_) * turn_back(rotation_, x - move_); }
+
+  ShapePtr shape_;
+  double scale_;
+  Rotation rotation_;
+  Vector3 move_;
+};
+
+void require_shapes(const std::vector<ShapePtr>& shapes) {
+  if (shapes.empty()) throw std::invalid_argument("a combination of shapes needs at least one shape");
+  if (std::find(shapes.begin(), shapes.end(), nullptr) != shapes.end())
+    throw std::invalid_argument("a combination of shapes holds a null shape");
+}
+
+}  // namespace
+
+ShapePtr make_union(std::vector<ShapePtr> parts) {
+  require_shapes(parts);
+  return std::make_shared<Union>(std::move(parts));
+}
+
+ShapePtr make_intersection(std::vector<ShapePtr> parts) {
+  require_shapes(parts);
+  return std::make_shared<Intersection>(std::move(parts));
+}
+
+ShapePtr make_difference(ShapePtr first, std::vector<ShapePtr> cut) {
+  require_shapes({first});
+  require_shapes(cut);
+  std::vector<ShapePtr> parts = {std::move(first)};
+  for (ShapePtr& shape : cut) parts.push_back(std::make_shared<Complement>(std::move(shape)));
+  return std::make_shared<Intersection>(std::move(parts));
+}
+
+ShapePtr make_transformed(ShapePtr shape, double scale, const Vector3& rotate_deg, const Vector3& move_m) {
+  require_shapes({shape});
+  if (!(scale > 0)) throw std::invalid_argument("the scale of a shape must be above 0");
+  return std::make_shared<Transformed>(std::move(shape), scale, matrix(quaternion(k_rad_per_deg * rotate_deg)), move_m);
+}
+
+}  // namespace bake

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "solver/boundary/motion_path.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace bake {
+namespace {
+
+/// Rotation vector [rad] that turns orientation a into b, in the world frame.
+Vector3 turn_between(const Keyframe& a, const Keyframe& b) {
+  const Vector3 from = k_rad_per_deg * a.rotation_deg, to = k_rad_per_deg * b.rotation_deg;
+  const bool same_axis = length(cross(from, to)) <= 1e-12 * length(from) * length(to);
+  return same_axis ? to - from : rotation_vector(quaternion(to) * inverse(quaternion(from)));
+}
+
+bool finite(const Box3& box) {
+  const auto is_finite = [](double coordinate) { return std::isfinite(coordinate); };
+  return std::all_of(box.low.begin(), box.low.end(), is_finite) && std::all_of(box.high.begin(), box.high.end(), is_finite);
+}
+
+}  // namespace
+
+RigidPath::RigidPath(const std::vector<Keyframe>& keys, const Point& pivot) : pivot_(pivot) {
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    Leg leg{keys[i].time_s, keys[i].position_m, quaternion(k_rad_per_deg * keys[i].rotation_deg)};
+    if (i + 1 < keys.size()) {
+      const double duration = keys[i + 1].time_s - keys[i].time_s;
+      if (!(duration > 0)) throw std::invalid_argument("times of keyframes must rise");
+      leg.velocity = (1 / duration) * (keys[i + 1].position_m - keys[i].position_m);
+      leg.spin = (1 / duration) * turn_between(keys[i], keys[i + 1]);
+    }
+    legs_.push_back(leg);
+  }
+}
+
+RigidState RigidPath::state(const Leg& leg, double since_s) const {
+  RigidState state;
+  state.rotation = matrix(quaternion(since_s * leg.spin) * leg.orientation);
+  state.pivot = pivot_;
+  state.centre = pivot_ + leg.offset + since_s * leg.velocity;
+  state.velocity = leg.velocity;
+  state.spin = leg.spin;
+  return state;
+}
+
+RigidState RigidPath::at(double time_s) const {
+  if (legs_.empty()) return state(Leg{}, 0);
+  const auto next = std::upper_bound(legs_.begin(), legs_.end(), time_s, [](double t, const Leg& leg) { return t < leg.start_s; });
+  if (next != legs_.begin()) return state(*(next - 1), time_s - (next - 1)->start_s);
+  RigidState waiting = state(legs_.front(), 0);
+  waiting.velocity = waiting.spin = {0, 0, 0};
+  return waiting;
+}
+
+double RigidPath::largest_speed(const Box3& box) const {
+  double largest = 0;
+  for (const Leg& leg : legs_) {
+    double turning = 0;  // of the fastest corner about the pivot; constant over the leg
+    if (length(leg.spin) > 0 && !finite(box)) return k_infinity;
+    for (int corner = 0; corner < 8 && length(leg.spin) > 0; ++corner) {
+      const Point x = {corner & 1 ? box.high[0] : box.low[0], corner & 2 ? box.high[1] : box.low[1], corner & 4 ? box.high[2] : box.low[2]};
+      turning = std::max(turning, length(cross(leg.spin, matrix(leg.orientation) * (x - pivot_))));
+    }
+    largest = std::max(largest, length(leg.velocity) + turning);
+  }
+  return largest;
+}
+
+}  // namespace bake

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+#include "solver/boundary/shapes.h"
+
+#include <algorithm>
+
+#include "solver/boundary/vector3.h"
+
+namespace bake {
+namespace {
+
+Box3 box_around(const Point& centre, const Vector3& half) { return {centre - half, centre + half}; }
+
+/// a with the signs of b.
+Vector3 with_signs(const Vector3& a, const Vector3& b) {
+  return {std::copysign(a[0], b[0]), std::copysign(a[1], b[1]), std::copysign(a[2], b[2])};
+}
+
+Vector3 magnitudes(const Vector3& a) { return {std::abs(a[0]), std::abs(a[1]), std::abs(a[2])}; }
+
+/// Any unit vector at right angles to the unit vector a.
+Vector3 perpendicular(const Vector3& a) { return unit(cross(a, std::abs(a[0]) < 0.5 ? Vector3{1, 0, 0} : Vector3{0, 1, 0})); }
+
+int index_of_largest(const Vector3& a) { return static_cast<int>(std::max_element(a.begin(), a.end()) - a.begin()); }
+int index_of_smallest(const Vector3& a) { return static_cast<int>(std::min_element(a.begin(), a.end()) - a.begin()); }
+
+// --- boxes: y is relative to the centre
+
+Vector3 beyond(const Vector3& excess) { return {std::max(excess[0], 0.0), std::max(excess[1], 0.0), std::max(excess[2], 0.0)}; }
+
+double box_distance(const Vector3& y, const Vector3& half) {
+  const Vector3 excess = magnitudes(y) - half;
+  return length(beyond(excess)) + std::min(*std::max_element(excess.begin(), excess.end()), 0.0);
+}
+
+Vector3 box_normal(const Vector3& y, const Vector3& half) {
+  const Vector3 excess = magnitudes(y) - half;
+  const int face = index_of_largest(excess);
+  Vector3 outwards = {0, 0, 0};
+  if (excess[face] > 0) {
+    outwards = beyond(excess);
+  } else {
+    outwards[face] = 1;
+  }
+  return unit(with_signs(outwards, y));
+}
+
+// --- ellipsoid
+
+/// The point of an ellipsoid's surface nearest to y, for y >= 0: foot_i = e_i^2 y_i / (t + e_i^2) with the largest t
+/// that puts it on the surface. [Eberly, "Distance from a Point to an Ellipse, an Ellipsoid, or a Hyperellipsoid"]
+Vector3 ellipsoid_foot(Vector3 y, const Vector3& e) {
+  const int shortest = index_of_smallest(e);
+  // Next to a symmetry plane the equation for t is ill-conditioned; on it, it is not. The error is of this size.
+  for (double& coordinate : y) coordinate = coordinate < 1e-10 * e[shortest] ? 0 : coordinate;
+  const double pole = -e[shortest] * e[shortest];
+  double t = pole;
+  for (int i = 0; i < 3; ++i) t = std::max(t, e[i] * (y[i] - e[i]));
+
+  const auto foot_at = [&](double at) {
+    Vector3 foot;
+    for (int i = 0; i < 3; ++i) foot[i] = y[i] > 0 ? y[i] * (e[i] * e[i] / (at + e[i] * e[i])) : 0;
+    return foot;
+  };
+  // Newton on 1 / sqrt(level) = 1, concave in t: monotone from the left.
+  for (int iteration = 0; iteration < 100; ++iteration) {
+    const Vector3 foot = foot_at(t);
+    double level = 0, slope = 0;
+    for (int i = 0; i < 3; ++i) {
+      if (y[i] == 0) continue;
+      const double term = (foot[i] / e[i]) * (foot[i] / e[i]);
+      level += term;
+      slope += term / (t + e[i] * e[i]);
+    }
+    if (level < 1 && t == pole) {  // deep inside on a symmetry plane: two nearest points, take one
+      Vector3 beside = foot;
+      beside[shortest] = e[shortest] * std::sqrt(1 - level);
+      return beside;
+    }
+    const double step = level * (std::sqrt(level) - 1) / slope;
+    t += step;
+    if (step < 1e-14 * (t - pole)) break;
+  }
+  return foot_at(t);
+}
+
+// --- round bodies about an axis: a trapezoid in the plane of height along the axis and radius
+
+struct Frustum {
+  Point from;
+  Vector3 axis;  ///< unit
+  double height, from_radius, to_radius;
+};
+
+/// A point or direction in that plane: {along the axis, away from the axis, 0}.
+using Profile = Vector3;
+
+struct ProfileDistance {
+  double distance;
+  Profile gradient;
+};
+
+Frustum frustum(const Point& from, const Point& to, double from_radius, double to_radius) {
+  return {from, unit(to - from), length(to - from), from_radius, to_radius};
+}
+
+Profile profile_of(const Frustum& f, const Point& x) {
+  const double along = dot(x - f.from, f.axis);
+  return {along, length(x - f.from - along * f.axis), 0};
+}
+
+ProfileDistance profile_distance(const Frustum& f, const Profile& p) {
+  const Profile edge = {0, f.from_radius, 0};
+  const Profile side = {f.height, f.to_radius - f.from_radius, 0};
+  const Profile side_normal = unit({-side[1], side[0], 0});
+  const double share = std::clamp(dot(p - edge, side) / dot(side, side), 0.0, 1.0);
+
+  struct Face {
+    Profile from_foot, normal;
+  };
+  const std::array faces = {Face{p - edge - share * side, side_normal}, Face{p - Profile{0, std::min(p[1], f.from_radius), 0}, {-1, 0, 0}},
+                            Face{p - Profile{f.height, std::min(p[1], f.to_radius), 0}, {1, 0, 0}}};
+  const auto nearer = [](const Face& a, const Face& b) { return dot(a.from_foot, a.from_foot) < dot(b.from_foot, b.from_foot); };
+  const Face& nearest = *std::min_element(faces.begin(), faces.end(), nearer);
+  const double size = length(nearest.from_foot);
+  const bool inside = p[0] > 0 && p[0] < f.height && dot(p - edge, side_normal) < 0;
+  if (inside) return {-size, nearest.normal};
+  // Outside an edge the gradient points away from the edge; on the surface only the face has a direction.
+  return {size, size > 1e-12 * f.height ? (1 / size) * nearest.from_foot : nearest.normal};
+}
+
+double frustum_distance(const Frustum& f, const Point& x) { return profile_distance(f, profile_of(f, x)).distance; }
+
+Vector3 frustum_normal(const Frustum& f, const Point& x) {
+  const Profile p = profile_of(f, x);
+  const Profile gradient = profile_distance(f, p).gradient;
+  const Vector3 away = p[1] > 0 ? (1 / p[1]) * (x - f.from - p[0] * f.axis) : perpendicular(f.axis);
+  return unit(gradient[0] * f.axis + gradient[1] * away);
+}
+
+Box3 frustum_bounds(const Frustum& f) {
+  const Point to = f.from + f.height * f.axis;
+  Box3 box;
+  for (int i = 0; i < 3; ++i) {
+    const double lean = std::sqrt(std::max(0.0, 1 - f.axis[i] * f.axis[i]));  // how far a disc of radius 1 reaches
+    box.low[i] = std::min(f.from[i] - f.from_radius * lean, to[i] - f.to_radius * lean);
+    box.high[i] = std::max(f.from[i] + f.from_radius * lean, to[i] + f.to_radius * lean);
+  }
+  return box;
+}
+
+// --- superellipsoid: N(y) = ((|y_x/a|^p + |y_y/b|^p)^(q/p) + |y_z/c|^q)^(1/q) is a norm, the surface is N = 1
+
+struct Gauge {
+  double value;      ///< N(y)
+  Vector3 gradient;  ///< dN/dy, for y >= 0
+};
+
+Gauge superellipsoid_gauge(const Vector3& y, const Vector3& half, double p, double q) {
+  Vector3 u = {y[0] / half[0], y[1] / half[1], y[2] / half[2]};
+  const double scale = *std::max_element(u.begin(), u.end());
+  if (scale == 0) {  // the centre: any direction will do, take the nearest face's
+    Vector3 gradient = {0, 0, 0};
+    const int shortest = index_of_smallest(half);
+    gradient[shortest] = 1 / half[shortest];
+    return {0, gradient};
+  }
+  for (double& coordinate : u) coordinate /= scale;  // no overflow, however large the exponents
+  const double plan = std::pow(std::pow(u[0], p) + std::pow(u[1], p), 1 / p);
+  const double all = std::pow(std::pow(plan, q) + std::pow(u[2], q), 1 / q);
+  const double by_plan = plan > 0 ? std::pow(plan / all, q - 1) : 0;
+  const auto in_plan = [&](int i) { return plan > 0 ? by_plan * std::pow(u[i] / plan, p - 1) / half[i] : 0; };
+  return {scale * all, {in_plan(0), in_plan(1), std::pow(u[2] / all, q - 1) / half[2]}};
+}
+
+}  // namespace
+
+Point Shape::normal(const Point& x) const {
+  constexpr double k_step = 1e-7;  // [m]: balances rounding and curvature for things of millimetres to metres
+  Vector3 gradient;
+  for (int i = 0; i < 3; ++i) {
+    Point ahead = x, behind = x;
+    ahead[i] += k_step;
+    behind[i] -= k_step;
+    gradient[i] = distance(ahead) - distance(behind);
+  }
+  return unit(gradient);
+}
+
+double Box::distance(const Point& x) const { return box_distance(x - centre_m, half_extents_m); }
+Point Box::normal(const Point& x) const { return box_normal(x - centre_m, half_extents_m); }
+Box3 Box::bounds() const { return box_around(centre_m, half_extents_m); }
+
+std::string RoundedBox::check() const {
+  const double smallest = *std::min_element(half_extents_m.begin(), half_extents_m.end());
+  return radius_m <= smallest ? "" : "radius_m is larger than the smallest of half_extents_m";
+}
+double RoundedBox::distance(const Point& x) const {
+  return box_distance(x - centre_m, half_extents_m - Vector3{radius_m, radius_m, radius_m}) - radius_m;
+}
+Point RoundedBox::normal(const Point& x) const { return box_normal(x - centre_m, half_extents_m - Vector3{radius_m, radius_m, radius_m}); }
+Box3 RoundedBox::bounds() const { return box_around(centre_m, half_extents_m); }
+
+double Sphere::distance(const Point& x) const { return length(x - centre_m) - radius_m; }
+Point Sphere::normal(const Point& x) const { return unit(x - centre_m); }
+Box3 Sphere::bounds() const { return box_around(centre_m, {radius_m, radius_m, radius_m}); }
+
+double Ellipsoid::distance(const Point& x) const {
+  const Vector3 y = magnitudes(x - centre_m);
+  const Vector3& e = half_axes_m;
+  const double distance = length(y - ellipsoid_foot(y, e));
+  return length({y[0] / e[0], y[1] / e[1], y[2] / e[2]}) < 1 ? -distance : distance;
+}
+Point Ellipsoid::normal(const Point& x) const {
+  const Vector3& e = half_axes_m;
+  const Vector3 foot = ellipsoid_foot(magnitudes(x - centre_m), e);
+  return unit(with_signs({foot[0] / (e[0] * e[0]), foot[1] / (e[1] * e[1]), foot[2] / (e[2] * e[2])}, x - centre_m));
+}
+Box3 Ellipsoid::bounds() const { return box_around(centre_m, half_axes_m); }
+
+std::string Cylinder::check() const { return from_m != to_m ? "" : "from_m and to_m are the same point"; }
+double Cylinder::distance(const Point& x) const { return frustum_distance(frustum(from_m, to_m, radius_m, radius_m), x); }
+Point Cylinder::normal(const Point& x) const { return frustum_normal(frustum(from_m, to_m, radius_m, radius_m), x); }
+Box3 Cylinder::bounds() const { return frustum_bounds(frustum(from_m, to_m, radius_m, radius_m)); }
+
+std::string Cone::check() const {
+  if (from_m == to_m) return "from_m and to_m are the same point";
+  return from_radius_m > 0 || to_radius_m > 0 ? "" : "from_radius_m and to_radius_m are both 0";
+}
+double Cone::distance(const Point& x) const { return frustum_distance(frustum(from_m, to_m, from_radius_m, to_radius_m), x); }
+Point Cone::normal(const Point& x) const { return frustum_normal(frustum(from_m, to_m, from_radius_m, to_radius_m), x); }
+Box3 Cone::bounds() const { return frustum_bounds(frustum(from_m, to_m, from_radius_m, to_radius_m)); }
+
+namespace {
+
+Vector3 from_nearest_on_line(const Capsule& capsule, const Point& x) {
+  const Vector3 line = capsule.to_m - capsule.from_m;
+  const double square = dot(line, line);
+  const double share = square > 0 ? std::clamp(dot(x - capsule.from_m, line) / square, 0.0, 1.0) : 0;
+  return x - capsule.from_m - share * line;
+}
+
+}  // namespace
+
+double Capsule::distance(const Point& x) const { return length(from_nearest_on_line(*this, x)) - radius_m; }
+Point Capsule::normal(const Point& x) const { return unit(from_nearest_on_line(*this, x)); }
+Box3 Capsule::bounds() const {
+  Box3 box;
+  for (int i = 0; i < 3; ++i) {
+    box.low[i] = std::min(from_m[i], to_m[i]) - radius_m;
+    box.high[i] = std::max(from_m[i], to_m[i]) + radius_m;
+  }
+  return box;
+}
+
+// N is homogeneous of degree 1, so (N - 1) / |grad N| is the distance of the plane that touches the surface on the ray
+// from the centre to x: never more than the exact distance.
+double Superellipsoid::distance(const Point& x) const {
+  const auto [value, gradient] = superellipsoid_gauge(magnitudes(x - centre_m), half_axes_m, plan_exponent, profile_exponent);
+  return (value - 1) / length(gradient);
+}
+Point Superellipsoid::normal(const Point& x) const {
+  const Vector3 y = x - centre_m;
+  return unit(with_signs(superellipsoid_gauge(magnitudes(y), half_axes_m, plan_exponent, profile_exponent).gradient, y));
+}
+Box3 Superellipsoid::bounds() const { return box_around(centre_m, half_axes_m); }
+
+std::string HalfSpace::check() const { return length(outward_normal) > 0 ? "" : "normal has length 0"; }
+double HalfSpace::distance(const Point& x) const { return dot(x - point_m, unit(outward_normal)); }
+Point HalfSpace::normal(const Point&) const { return unit(outward_normal); }
+Box3 HalfSpace::bounds() const {
+  Box3 box{{-k_infinity, -k_infinity, -k_infinity}, {k_infinity, k_infinity, k_infinity}};
+  for (int i = 0; i < 3; ++i) {
+    const bool along_axis = std::abs(outward_normal[i]) == length(outward_normal);
+    if (along_axis && outward_normal[i] > 0) box.high[i] = point_m[i];
+    if (along_axis && outward_normal[i] < 0) box.low[i] = point_m[i];
+  }
+  return box;
+}
+
+}  // namespace bake
