@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "solver/boundary/fill.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "solver/boundary/vector3.h"
+
+namespace bake {
+namespace {
+
+/// Random numbers that are the same everywhere: splitmix64. [Steele, Lea, Flood 2014]
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+  std::uint64_t bits() {
+    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+  }
+  double uniform() { return static_cast<double>(bits() >> 11) * 0x1p-53; }  ///< in [0, 1)
+  Vector3 in_cube() {                                                       ///< in [-1, 1)^3
+    const double x = uniform(), y = uniform(), z = uniform();
+    return {2 * x - 1, 2 * y - 1, 2 * z - 1};
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+using Count3 = std::array<std::int64_t, 3>;
+
+Box3 finite_bounds(const Shape& shape, double spacing_m) {
+  if (!(spacing_m > 0) || !std::isfinite(spacing_m)) throw std::invalid_argument("the spacing of a filling must be a number above 0");
+  const Box3 box = shape.bounds();
+  double cells = 1;
+  for (int i = 0; i < 3; ++i) cells *= (box.high[i] - box.low[i]) / spacing_m + 1;
+  if (!std::isfinite(cells)) throw std::invalid_argument("a shape without end cannot be filled");
+  if (cells > 1e10) throw std::invalid_argument("the spacing of a filling is too small for its shape (more than 10^10 cells)");
+  return box;
+}
+
+/// Dart throwing on a grid so fine that a cell holds at most one point. [Bridson 2007]
+class PoissonSampler {
+ public:
+  PoissonSampler(const Shape& shape, const Box3& bounds, double radius, std::uint64_t seed)
+      : shape_(shape), radius_(radius), cell_(radius / std::sqrt(3.0)), random_(seed) {
+    // Beyond the shape, so that its rim is a cut through the packing; points crowd at the rim of what is packed.
+    reach_ = 2 * radius;
+    for (int i = 0; i < 3; ++i) {
+      low_[i] = bounds.low[i] - reach_ - k_fringe * cell_;
+      size_[i] = static_cast<std::int64_t>(std::ceil((bounds.high[i] + reach_ - low_[i]) / cell_)) + k_fringe + 1;
+    }
+    stored_.assign(static_cast<std::size_t>(size_[0] * size_[1] * size_[2]), -1);
+    list_neighbours();
+  }
+
+  std::vector<Point> fill() {
+    for_cells(k_fringe, [&](const Count3& c, std::size_t cell) {
+      if (stored_[cell] >= 0) return;
+      const Vector3 place = 0.5 * (random_.in_cube() + Vector3{1, 1, 1});
+      if (try_point(low_ + cell_ * (place + Vector3{double(c[0]), double(c[1]), double(c[2])}))) grow();
+    });
+    std::vector<Point> inside;
+    for_cells(k_fringe, [&](const Count3&, std::size_t cell) {
+      if (stored_[cell] >= 0 && shape_.distance(points_[stored_[cell]]) <= 0) inside.push_back(points_[stored_[cell]]);
+    });
+    return inside;
+  }
+
+ private:
+  static constexpr int k_fringe = 2;  ///< cells around the grid that stay empty: neighbours need no bounds check
+  static constexpr int k_tries = 30;
+
+  template <class Visit>
+  void for_cells(std::int64_t margin, Visit visit) const {
+    for (std::int64_t i = margin; i < size_[0] - margin; ++i)
+      for (std::int64_t j = margin; j < size_[1] - margin; ++j)
+        for (std::int64_t k = margin; k < size_[2] - margin; ++k) visit(Count3{i, j, k}, index({i, j, k}));
+  }
+
+  std::size_t index(const Count3& c) const { return static_cast<std::size_t>((c[0] * size_[1] + c[1]) * size_[2] + c[2]); }
+
+  /// Offsets of the cells that may hold a point within the radius, nearest first: most darts fail at once.
+  void list_neighbours() {
+    std::vector<std::pair<std::int64_t, std::ptrdiff_t>> offsets;
+    for (std::int64_t i = -2; i <= 2; ++i)
+      for (std::int64_t j = -2; j <= 2; ++j)
+        for (std::int64_t k = -2; k <= 2; ++k)
+          if (i * i + j * j + k * k < 12) offsets.push_back({i * i + j * j + k * k, (i * size_[1] + j) * size_[2] + k});
+    std::sort(offsets.begin(), offsets.end());
+    for (const auto& [square, offset] : offsets) neighbours_.push_back(offset);
+  }
+
+  /// Keeps the point if it is near the shape and far from the others.
+  bool try_point(const Point& x) {
+    Count3 c;
+    for (int i = 0; i < 3; ++i) {
+      c[i] = static_cast<std::int64_t>(std::floor((x[i] - low_[i]) / cell_));
+      if (c[i] < k_fringe || c[i] >= size_[i] - k_fringe) return false;
+    }
+    const std::size_t cell = index(c);
+    for (const std::ptrdiff_t offset : neighbours_) {
+      const std::int32_t other = stored_[cell + offset];
+      if (other >= 0 && dot(x - points_[other], x - points_[other]) < radius_ * radius_) return false;
+    }
+    if (shape_.distance(x) > reach_) return false;
+    stored_[cell] = static_cast<std::int32_t>(points_.size());
+    active_.push_back(stored_[cell]);
+    points_.push_back(x);
+    return true;
+  }
+
+  /// From each active point, throws darts into the shell between one and two radii until it is surrounded.
+  void grow() {
+    while (!active_.empty()) {
+      const std::size_t chosen = random_.bits() % active_.size();
+      const Point centre = points_[active_[chosen]];
+      bool placed = false;
+      for (int attempt = 0; attempt < k_tries && !placed; ++attempt) placed = try_point(centre + radius_ * in_shell());
+      if (placed) continue;
+      active_[chosen] = active_.back();
+      active_.pop_back();
+    }
+  }
+
+  Vector3 in_shell() {
+    for (;;) {
+      const Vector3 x = 2.0 * random_.in_cube();
+      if (dot(x, x) >= 1 && dot(x, x) < 4) return x;
+    }
+  }
+
+  const Shape& shape_;
+  double radius_, cell_, reach_;
+  Point low_;
+  Count3 size_;
+  Random random_;
+  std::vector<std::int32_t> stored_;  ///< per cell: index of its point, or -1
+  std::vector<std::ptrdiff_t> neighbours_;
+  std::vector<Point> points_;
+  std::vector<std::int32_t> active_;
+};
+
+}  // namespace
+
+std::vector<Point> fill_lattice(const Shape& shape, double spacing_m, double jitter, std::uint64_t seed) {
+  const Box3 box = finite_bounds(shape, spacing_m);
+  Count3 count;
+  Point first;
+  for (int i = 0; i < 3; ++i) {
+    // One more layer on either side, from which points may be displaced into the shape.
+    count[i] = std::max<std::int64_t>(1, std::llround((box.high[i] - box.low[i]) / spacing_m)) + 2;
+    first[i] = 0.5 * (box.low[i] + box.high[i]) - 0.5 * static_cast<double>(count[i] - 1) * spacing_m;
+  }
+  Random random(seed);
+  std::vector<Point> inside;
+  for (std::int64_t i = 0; i < count[0]; ++i) {
+    for (std::int64_t j = 0; j < count[1]; ++j) {
+      for (std::int64_t k = 0; k < count[2]; ++k) {
+        const Point centre = first + spacing_m * Vector3{double(i), double(j), double(k)};
+        const Point x = centre + 0.5 * jitter * spacing_m * random.in_cube();
+        if (shape.distance(x) <= 0) inside.push_back(x);
+      }
+    }
+  }
+  return inside;
+}
+
+std::vector<Point> fill_poisson(const Shape& shape, double spacing_m, std::uint64_t seed) {
+  const Box3 box = finite_bounds(shape, spacing_m);
+  return PoissonSampler(shape, box, k_poisson_radius * spacing_m, seed).fill();
+}
+
+}  // namespace bake
