@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The commands of the `bake` program. Each adds itself to the command line and, if it is the one that was asked for,
+// leaves in `action` what is to be done; the action returns the exit code.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+#include "solver/scene/scene.h"
+
+namespace bake::cli {
+
+/// What the program's exit codes mean. 1 is left to commands that check something and find it wanting.
+enum ExitCode { k_success = 0, k_wrong_use = 2, k_failed_run = 3 };
+
+using Action = std::function<int()>;
+
+void add_run_command(CLI::App& app, Action& action);
+void add_scene_commands(CLI::App& app, Action& action);  ///< list, info, validate
+void add_help_commands(CLI::App& app, Action& action);   ///< explain, version
+
+/// "bake 0.1.0" and the commit it was built from.
+std::string version_line();
+
+/// The option --quality, which fills `quality`.
+void add_quality_option(CLI::App& command, Quality& quality);
+
+}  // namespace bake::cli

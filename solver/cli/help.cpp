@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// bake explain [key], bake version
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "solver/cli/commands.h"
+#include "solver/scene/explain.h"
+
+namespace bake::cli {
+
+std::string version_line() { return "bake " BAKE_VERSION; }
+
+void add_help_commands(CLI::App& app, Action& action) {
+  auto key = std::make_shared<std::string>();
+  CLI::App& explain_command = *app.add_subcommand("explain", "Say what a scene key means: unit, default, allowed values");
+  explain_command.add_option("key", *key, "a key, a table, an effect or a shape; without it, an overview of all keys");
+  explain_command.callback([key, &action] {
+    action = [key] {
+      fmt::print("{}", explain(*key));
+      return k_success;
+    };
+  });
+
+  app.add_subcommand("version", "Print the version")->callback([&action] {
+    action = [] {
+      fmt::print("{}\n", version_line());
+      return k_success;
+    };
+  });
+}
+
+}  // namespace bake::cli
