@@ -12,9 +12,7 @@ namespace {
 
 constexpr std::size_t k_longest_word = 80;  // longer ones resemble nothing, and are not worth the time
 
-bool same_letter(char a, char b) {
-  return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-}
+bool same_letter(char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b)); }
 
 /// Optimal string alignment distance.
 std::size_t edits(std::string_view from, std::string_view to) {
@@ -32,6 +30,11 @@ std::size_t edits(std::string_view from, std::string_view to) {
   return cost[from.size()][to.size()];
 }
 
+/// "density" of "density_kg_per_m3": the unit was forgotten.
+bool is_stem_of(std::string_view word, std::string_view candidate) {
+  return candidate.size() > word.size() && candidate.substr(0, word.size()) == word && candidate[word.size()] == '_';
+}
+
 }  // namespace
 
 std::string nearest(std::string_view word, const std::vector<std::string>& known) {
@@ -39,7 +42,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& known
   std::string best;
   std::size_t fewest = 2 + word.size() / 4;
   for (const std::string& candidate : known) {
-    const std::size_t needed = edits(word, candidate);
+    const std::size_t needed = is_stem_of(word, candidate) ? 1 : edits(word, candidate);
     const bool resembles = needed < std::max(word.size(), candidate.size());
     if (resembles && needed < fewest) {
       fewest = needed;

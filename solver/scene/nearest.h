@@ -8,8 +8,8 @@
 
 namespace bake {
 
-/// The known name that the fewest edits make from `word` (insert, delete, replace, swap neighbours; case is ignored);
-/// empty if none is similar.
+/// The known name that the fewest edits make from `word` (insert, delete, replace, swap neighbours; case is ignored),
+/// or that is `word` with its unit; empty if none is similar.
 std::string nearest(std::string_view word, const std::vector<std::string>& known);
 
 /// The end of a message about an unknown word: "did you mean 'x'?", or "allowed: x, y, z" if nothing is similar.

@@ -85,6 +85,8 @@ struct Curve {
 ///     constexpr auto choice_names(Transfer) { return std::array{"apic", "pic", "flip"}; }
 /// The enumerators must count up from 0 in the order of the names.
 template <class Enum>
-concept Choice = std::is_enum_v<Enum> && requires(Enum e) { choice_names(e); };
+concept Choice = std::is_enum_v<Enum> && requires(Enum e) {
+  choice_names(e);
+};
 
 }  // namespace bake

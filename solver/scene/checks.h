@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// What must hold between several values of a scene. Each value by itself has been checked when it was read.
+#pragma once
+
+#include "solver/scene/entry.h"
+#include "solver/scene/scene.h"
+
+namespace bake {
+
+// Each throws an InputError at the table `entry` that `value` was read from. `scene` holds what was read before it:
+// effects and tables, then materials, then the other lists.
+void check(const SceneEntry& entry, const DomainSettings& value, const Scene& scene);
+void check(const SceneEntry& entry, const TimeSettings& value, const Scene& scene);
+void check(const SceneEntry& entry, const Material& value, const Scene& scene);
+void check(const SceneEntry& entry, const Body& value, const Scene& scene);
+void check(const SceneEntry& entry, const Collider& value, const Scene& scene);
+void check(const SceneEntry& entry, const Grip& value, const Scene& scene);
+void check(const SceneEntry& entry, const Emitter& value, const Scene& scene);
+
+/// All other tables: nothing to check.
+template <class T>
+void check(const SceneEntry&, const T&, const Scene&) {}
+
+}  // namespace bake

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "solver/scene/entry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "solver/scene/input_error.h"
+#include "solver/scene/nearest.h"
+
+namespace bake {
+namespace {
+
+const toml::table k_empty_table;
+
+std::string describe(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::string:
+      return fmt::format("\"{}\"", quotable(node.as_string()->get()));
+    case toml::node_type::integer:
+      return fmt::format("{}", node.as_integer()->get());
+    case toml::node_type::floating_point:
+      return fmt::format("{}", node.as_floating_point()->get());
+    case toml::node_type::boolean:
+      return node.as_boolean()->get() ? "true" : "false";
+    case toml::node_type::array:
+      return fmt::format("a list of {}", node.as_array()->size());
+    case toml::node_type::table:
+      return "a table";
+    default:
+      return "a date or time";
+  }
+}
+
+std::string in_one_line(std::string_view text) {
+  std::string line(text);
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+  return line;
+}
+
+}  // namespace
+
+std::string quotable_path(const std::filesystem::path& path) { return in_one_line(path.string()); }
+
+std::string quotable(std::string_view text) {
+  constexpr std::size_t k_longest = 60;
+  std::string line = in_one_line(text.substr(0, k_longest));
+  if (text.size() <= k_longest) return line;
+  while (!line.empty() && (static_cast<unsigned char>(line.back()) & 0xc0) == 0x80) line.pop_back();  // no half characters
+  return line + "...";
+}
+
+SceneEntry::SceneEntry(const Document& document, const toml::table& root) : document_(&document), node_(&root), place_(document.name) {
+  place_ = place_of(root.source());
+}
+
+SceneEntry::SceneEntry(const SceneEntry& parent, const toml::node& node, std::string name)
+    : document_(parent.document_), node_(&node), name_(std::move(name)), place_(parent.place_of(node.source())) {}
+
+std::string SceneEntry::place_of(const toml::source_region& source) const {
+  if (!source.path || source.begin.line == 0) return place_;
+  if (*source.path != document_->name) return *source.path;
+  return fmt::format("{}:{}", document_->name, source.begin.line);
+}
+
+std::string SceneEntry::child_name(std::string_view key) const {
+  return name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, quotable(key));
+}
+
+std::optional<SceneEntry> SceneEntry::find(std::string_view key) const {
+  const toml::node* member = node_->as_table()->get(key);
+  if (!member) return std::nullopt;
+  return SceneEntry(*this, *member, child_name(key));
+}
+
+SceneEntry SceneEntry::absent_table(std::string_view key) const { return SceneEntry(*this, k_empty_table, child_name(key)); }
+
+std::vector<SceneEntry> SceneEntry::elements() const {
+  std::vector<SceneEntry> entries;
+  for (const toml::node& element : *node_->as_array()) {
+    entries.push_back(SceneEntry(*this, element, child_name(std::to_string(entries.size()))));
+  }
+  return entries;
+}
+
+SceneEntry SceneEntry::renamed(std::string_view last_part) const {
+  SceneEntry other = *this;
+  other.name_ = fmt::format("{}.{}", name_.substr(0, name_.rfind('.')), quotable(last_part));
+  return other;
+}
+
+void SceneEntry::complain(std::string_view problem) const {
+  throw InputError(name_.empty() ? fmt::format("{}: {}", place_, problem) : fmt::format("{}: {}: {}", place_, name_, problem));
+}
+
+void SceneEntry::refuse(std::string_view allowed) const { complain(fmt::format("found {}, allowed: {}", describe(*node_), allowed)); }
+
+void SceneEntry::refuse_missing(std::string_view key, std::string_view allowed) const {
+  throw InputError(fmt::format("{}: {}: missing, allowed: {}", place_, child_name(key), allowed));
+}
+
+void SceneEntry::refuse_unknown(const std::vector<std::string>& known) const {
+  for (auto&& [key, member] : *node_->as_table()) {
+    if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+    SceneEntry at_key = *this;
+    at_key.place_ = place_of(key.source());
+    at_key.complain(fmt::format("unknown key '{}', {}", quotable(key.str()), suggestion(key.str(), known)));
+  }
+}
+
+void SceneEntry::expect_table() const {
+  if (!node_->is_table()) refuse("a table");
+}
+
+toml::table parse_toml(std::string_view text, const std::string& name) {
+  try {
+    return toml::parse(text, std::string_view(name));
+  } catch (const toml::parse_error& error) {
+    const toml::source_position at = error.source().begin;
+    throw InputError(fmt::format("{}:{}:{}: no valid TOML: {}", name, at.line, at.column, in_one_line(error.description())));
+  }
+}
+
+}  // namespace bake

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// A value of a scene file that knows its place, so that every complaint names it.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bake {
+
+/// How the scene file is called in messages, and where its relative paths start.
+struct Document {
+  std::string name;
+  std::filesystem::path folder;
+};
+
+/// A node of the parsed file with its dotted name. Refers to the document and the node: both must outlive it.
+class SceneEntry {
+ public:
+  SceneEntry(const Document& document, const toml::table& root);
+
+  const toml::node& node() const { return *node_; }
+  const Document& document() const { return *document_; }
+  std::string_view name() const { return name_; }  ///< "material.dough.density_kg_per_m3", empty for the whole file
+
+  /// The member of this table, if it is there. This entry must be a table.
+  std::optional<SceneEntry> find(std::string_view key) const;
+  /// An empty table in the place of a member that is not there.
+  SceneEntry absent_table(std::string_view key) const;
+  /// The members of this array. This entry must be an array.
+  std::vector<SceneEntry> elements() const;
+  /// The same place under another name: `material.dough` instead of `material.0`.
+  SceneEntry renamed(std::string_view last_part) const;
+
+  // Each of these throws an InputError of one line that begins with the place.
+  [[noreturn]] void complain(std::string_view problem) const;
+  [[noreturn]] void refuse(std::string_view allowed) const;  ///< "found <this value>, allowed: ..."
+  [[noreturn]] void refuse_missing(std::string_view key, std::string_view allowed) const;
+  /// Complains about the first member of this table that is none of `known`.
+  void refuse_unknown(const std::vector<std::string>& known) const;
+  /// Complains if this is no table.
+  void expect_table() const;
+
+ private:
+  SceneEntry(const SceneEntry& parent, const toml::node& node, std::string name);
+  std::string place_of(const toml::source_region& source) const;
+  std::string child_name(std::string_view key) const;
+
+  const Document* document_;
+  const toml::node* node_;
+  std::string name_;
+  std::string place_;  ///< "bread.toml:12", or the override that the value comes from
+};
+
+/// Text of the user in a message: in one line, shortened, without control characters.
+std::string quotable(std::string_view text);
+
+/// A file's name in a message, whole but in one line.
+std::string quotable_path(const std::filesystem::path& path);
+
+/// Parses TOML that is called `name` in messages. Throws InputError with line and column.
+toml::table parse_toml(std::string_view text, const std::string& name);
+
+}  // namespace bake

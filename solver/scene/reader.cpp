@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "solver/scene/reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "solver/scene/checks.h"
+#include "solver/scene/layout.h"
+#include "solver/scene/nearest.h"
+#include "solver/scene/overrides.h"
+#include "solver/scene/read_value.h"
+
+namespace bake {
+namespace {
+
+std::vector<std::string> top_level_keys() {
+  std::vector<std::string> keys = {"title", "effects"};
+  std::apply([&](const auto&... section) { (keys.emplace_back(section.name), ...); }, k_tables);
+  std::apply([&](const auto&... section) { (keys.emplace_back(section.name), ...); }, k_lists);
+  for (const std::string& effect : effect_names()) keys.push_back(effect);
+  return keys;
+}
+
+void check_needs(const SceneEntry& entry, const Scene& scene) {
+  for (const Need& need : k_needs) {
+    if (scene.lists(need.effect) && !scene.lists(need.needs)) entry.complain(fmt::format("'{}' needs '{}'", need.effect, need.needs));
+  }
+}
+
+/// The listed effects in the order of AllEffects.
+std::vector<std::string> read_effects(const SceneEntry& entry) {
+  if (!entry.node().is_array()) entry.refuse("a list of effects in quotes");
+  const std::vector<std::string> known = effect_names();
+  std::vector<bool> listed(known.size());
+  for (const SceneEntry& element : entry.elements()) {
+    const std::size_t effect = read_choice(element, known);
+    if (listed[effect]) element.complain(fmt::format("found '{}' again, allowed: each effect once", known[effect]));
+    listed[effect] = true;
+  }
+  std::vector<std::string> effects;
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (listed[i]) effects.push_back(known[i]);
+  }
+  return effects;
+}
+
+Demand demand_of(std::string_view effect, const Scene& scene) { return scene.lists(effect) ? Demand::required_keys : Demand::nothing; }
+
+template <class Value>
+void read_section(const SceneEntry& root, const Section<Value>& section, Scene& scene) {
+  const SceneEntry entry = root.find(section.name).value_or(root.absent_table(section.name));
+  scene.*section.member = read_table<Value>(entry);
+  check(entry, scene.*section.member, scene);
+}
+
+template <class Effect>
+void read_settings(const SceneEntry& root, Scene& scene) {
+  using Settings = typename Effect::Settings;
+  const SceneEntry entry = root.find(Effect::name).value_or(root.absent_table(Effect::name));
+  std::get<Settings>(scene.settings) = read_table<Settings>(entry, demand_of(Effect::name, scene));
+}
+
+template <class T>
+T read_list_member(const SceneEntry& entry, const Scene&) {
+  return read_table<T>(entry);
+}
+
+/// A material's table holds the keys of every effect beside its own.
+template <>
+Material read_list_member<Material>(const SceneEntry& entry, const Scene& scene) {
+  entry.expect_table();
+  std::vector<std::string> known = keys_of<Material>();
+  for_each_effect([&]<class Effect>() {
+    for (const std::string& key : keys_of<typename Effect::Material>()) known.push_back(key);
+  });
+  entry.refuse_unknown(known);
+  Material material;
+  read_members(entry, material, Demand::required_keys);
+  for_each_effect([&]<class Effect>() {
+    auto& values = std::get<typename Effect::Material>(material.effects);
+    read_members(entry, values, demand_of(Effect::name, scene));
+  });
+  return material;
+}
+
+/// Members of lists are called by their name if they have one: material.dough.
+SceneEntry named(const SceneEntry& entry) {
+  if (!entry.node().is_table()) return entry;
+  const auto* name = entry.node().as_table()->get_as<std::string>("name");
+  return name && !name->get().empty() ? entry.renamed(name->get()) : entry;
+}
+
+template <class T>
+void read_section(const SceneEntry& root, const Section<std::vector<T>>& section, Scene& scene) {
+  const auto list = root.find(section.name);
+  if (!list) return;
+  if (!list->node().is_array()) list->refuse(fmt::format("tables under [[{}]]", section.name));
+  for (const SceneEntry& element : list->elements()) {
+    const SceneEntry entry = named(element);
+    T member = read_list_member<T>(entry, scene);
+    check(entry, member, scene);
+    (scene.*section.member).push_back(std::move(member));
+  }
+}
+
+void read_root(const SceneEntry& root, Scene& scene) {
+  root.refuse_unknown(top_level_keys());
+  if (const auto title = root.find("title")) scene.title = read_text(*title);
+  if (const auto effects = root.find("effects")) {
+    scene.effects = read_effects(*effects);
+    check_needs(*effects, scene);
+  }
+  std::apply([&](const auto&... section) { (read_section(root, section, scene), ...); }, k_tables);
+  for_each_effect([&]<class Effect>() { read_settings<Effect>(root, scene); });
+  std::apply([&](const auto&... section) { (read_section(root, section, scene), ...); }, k_lists);
+}
+
+std::string read_all(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) throw InputError(fmt::format("{}: no such file", quotable_path(file)));
+  if (std::filesystem::is_directory(status)) throw InputError(fmt::format("{}: found a folder, allowed: a TOML file", quotable_path(file)));
+  std::ifstream stream(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream.is_open() || stream.bad()) throw InputError(fmt::format("{}: cannot be read", quotable_path(file)));
+  return text;
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::filesystem::path& name, const ReadOptions& options) {
+  const Document document{quotable_path(name), name.parent_path()};
+  toml::table table = parse_toml(text, document.name);
+  for (const std::string& text_of_override : options.overrides) apply_override(table, text_of_override);
+  Scene scene;
+  scene.file = name;
+  scene.quality = options.quality;
+  read_root(SceneEntry(document, table), scene);
+  return scene;
+}
+
+Scene read_scene(const std::filesystem::path& file, const ReadOptions& options) { return parse_scene(read_all(file), file, options); }
+
+}  // namespace bake

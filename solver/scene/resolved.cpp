@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "solver/scene/resolved.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <utility>
+
+#include "solver/scene/json_value.h"
+#include "solver/scene/layout.h"
+
+namespace bake {
+namespace {
+
+/// File names may be any bytes, JSON is UTF-8.
+nlohmann::json json_path(const std::filesystem::path& path) {
+  using nlohmann::json;
+  return json::parse(json(path.generic_string()).dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
+/// As the scene file would write it: from its own folder if that can be said.
+nlohmann::json json_path_in_scene(const std::filesystem::path& path, const Scene& scene) {
+  if (path.empty()) return {};
+  const std::filesystem::path relative = path.lexically_relative(scene.file.parent_path());
+  return json_path(scene.file.parent_path().empty() || relative.empty() ? path : relative);
+}
+
+template <class T>
+nlohmann::json json_list_member(const T& member, const Scene&) {
+  return json_members(member);
+}
+
+template <>
+nlohmann::json json_list_member<Material>(const Material& material, const Scene&) {
+  nlohmann::json object = json_members(material);
+  std::apply([&](const auto&... values) { (object.update(json_members(values)), ...); }, material.effects);
+  return object;
+}
+
+template <>
+nlohmann::json json_list_member<Body>(const Body& body, const Scene& scene) {
+  nlohmann::json object = json_members(body);
+  object["particles_file"] = json_path_in_scene(body.particles_file, scene);
+  return object;
+}
+
+template <class Value>
+nlohmann::json json_section(const Value& value, const Scene&) {
+  return json_members(value);
+}
+
+template <class T>
+nlohmann::json json_section(const std::vector<T>& list, const Scene& scene) {
+  nlohmann::json array = nlohmann::json::array();
+  for (const T& member : list) array.push_back(json_list_member(member, scene));
+  return array;
+}
+
+std::uint64_t fnv1a(std::string_view text) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return hash;
+}
+
+/// A basic string of TOML: JSON's escapes are TOML's too, but for DEL.
+std::string toml_string(const std::string& text) {
+  std::string quoted = nlohmann::json(text).dump();
+  for (std::size_t at = quoted.find('\x7f'); at != std::string::npos; at = quoted.find('\x7f', at)) quoted.replace(at, 1, "\\u007f");
+  return quoted;
+}
+
+std::string toml_list(const nlohmann::json& list) {
+  std::string parts;
+  for (const auto& element : list) parts += (parts.empty() ? "" : ", ") + toml_text(element);
+  return "[" + parts + "]";
+}
+
+std::string toml_inline_table(const nlohmann::json& object) {
+  std::string parts;
+  for (const auto& [key, value] : object.items()) {
+    if (!value.is_null()) parts += fmt::format("{}{} = {}", parts.empty() ? "" : ", ", key, toml_text(value));
+  }
+  return parts.empty() ? "{}" : "{ " + parts + " }";
+}
+
+}  // namespace
+
+nlohmann::json resolved(const Scene& scene) {
+  nlohmann::json object;
+  object["title"] = scene.title;
+  object["file"] = json_path(scene.file);
+  object["effects"] = scene.effects;
+  object["quality"] = json_value(scene.quality);
+  const auto add = [&](const auto&... section) { ((object[section.name] = json_section(scene.*section.member, scene)), ...); };
+  std::apply(add, k_tables);
+  std::apply(add, k_lists);
+  for_each_effect([&]<class Effect>() { object[Effect::name] = json_members(scene.of<Effect>()); });
+  return object;
+}
+
+std::string scene_fingerprint(const Scene& scene) {
+  nlohmann::json values = resolved(scene);
+  values.erase("file");
+  values["run"].erase("end_s");
+  values["run"].erase("checkpoint_every_frames");
+  return fmt::format("{:016x}", fnv1a(values.dump()));
+}
+
+std::string toml_text(const nlohmann::json& value) {
+  if (value.is_array()) return toml_list(value);
+  if (value.is_object()) return toml_inline_table(value);
+  if (!value.is_string()) return value.dump();
+  const auto& text = value.get_ref<const std::string&>();
+  return text == "inf" || text == "-inf" ? text : toml_string(text);
+}
+
+}  // namespace bake
