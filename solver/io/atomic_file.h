@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Files that appear whole or not at all: written aside as `<name>.part`, flushed to disk, then renamed.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+
+namespace bake {
+
+/// A file could not be written. `what()` is one line: file: what failed: the system's reason.
+class OutputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A file being written beside `target`; commit() puts it in the place of `target`, any other end removes it.
+/// The first failing write is remembered and thrown later, by check() or commit(): the HDF5 driver on top must not see it.
+class AtomicFile {
+ public:
+  /// Opens `<target>.part`, emptying what an interrupted run left there. Throws OutputError.
+  explicit AtomicFile(std::filesystem::path target);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  const std::filesystem::path& target() const { return target_; }
+  void write_at(std::uint64_t offset, std::span<const std::byte> bytes) noexcept;
+  /// Reads back what was written and returns how many bytes there were; fewer than asked for only at the end of the file.
+  std::size_t read_at(std::uint64_t offset, std::span<std::byte> bytes) noexcept;
+  void resize(std::uint64_t size) noexcept;
+  /// Throws OutputError if anything has failed so far.
+  void check() const;
+  /// Flushes the file, renames it to `target` and flushes the folder. Throws OutputError, `target` is then as it was
+  /// (only if the very last step fails, the new file is there but may not survive a power cut).
+  void commit();
+
+ private:
+  void note_failure() noexcept;
+
+  std::filesystem::path target_;
+  std::filesystem::path aside_;
+  int descriptor_ = -1;
+  int first_error_ = 0;  ///< errno of the first failure
+};
+
+/// Writes `text` to `path`, whole or not at all. Throws OutputError.
+void write_text_atomically(const std::filesystem::path& path, std::string_view text);
+
+}  // namespace bake

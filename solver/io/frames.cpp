@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "solver/io/frames.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <stdexcept>
+
+#include "solver/io/hdf5.h"
+
+namespace bake {
+namespace {
+
+constexpr std::uint8_t k_poly_vertex = 2;  ///< VTK_POLY_VERTEX
+
+std::size_t length(const FrameColumn& column) {
+  return std::visit([](auto values) { return values.size(); }, column.values);
+}
+
+void check_lengths(const FrameData& frame) {
+  if (frame.positions.size() % 3 != 0) throw std::invalid_argument("a frame's positions are not x, y, z triples");
+  const auto particles = frame.positions.size() / 3;
+  for (const auto& column : frame.columns) {
+    if (column.components == 0 || length(column) != column.components * particles) {
+      throw std::invalid_argument(fmt::format("frame column {} has {} numbers for {} particles of {} components", column.name,
+                                              length(column), particles, column.components));
+    }
+  }
+}
+
+/// Everything VTK wants to know of the cells: a single one, made of all particles.
+void write_cell(Hdf5Writer& out, std::size_t particles) {
+  const auto count = static_cast<std::int64_t>(particles);
+  std::vector<std::int64_t> connectivity(particles);
+  std::iota(connectivity.begin(), connectivity.end(), std::int64_t{0});
+  const auto write = [&](const char* name, std::span<const std::int64_t> values) {
+    out.array<std::int64_t>(std::string("VTKHDF/") + name, values, Packing::shuffle_gzip);
+  };
+  write("NumberOfPoints", std::array{count});
+  write("NumberOfCells", std::array{std::int64_t{1}});
+  write("NumberOfConnectivityIds", std::array{count});
+  write("Connectivity", connectivity);
+  write("Offsets", std::array{std::int64_t{0}, count});
+  out.array<std::uint8_t>("VTKHDF/Types", std::array{k_poly_vertex});
+}
+
+void write_column(Hdf5Writer& out, const FrameColumn& column) {
+  const auto name = "VTKHDF/PointData/" + column.name;
+  const auto write = [&]<class T>(std::span<const T> values) {
+    if (column.components == 1) return out.array(name, values, Packing::shuffle_gzip);
+    out.table(name, values, column.components, Packing::shuffle_gzip);
+  };
+  std::visit(write, column.values);
+  out.attribute(name, "unit", column.unit);
+}
+
+}  // namespace
+
+std::string frame_name(int frame) { return fmt::format("{:04}.hdf", frame); }
+
+void write_frame(const std::filesystem::path& path, double time_s, const FrameData& frame) {
+  check_lengths(frame);
+  AtomicFile file(path);
+  Hdf5Writer out(file);
+  out.group("VTKHDF/PointData");
+  out.attribute("VTKHDF", "Version", std::array<std::int64_t, 2>{1, 0});
+  out.attribute("VTKHDF", "Type", "UnstructuredGrid");
+  out.attribute("VTKHDF", "time_s", time_s);
+  out.table("VTKHDF/Points", frame.positions, 3, Packing::shuffle_gzip);
+  out.attribute("VTKHDF/Points", "unit", "m");
+  write_cell(out, frame.positions.size() / 3);
+  for (const auto& column : frame.columns) write_column(out, column);
+  out.close();
+  file.commit();
+}
+
+void write_series(const std::filesystem::path& path, const std::vector<SeriesEntry>& entries) {
+  auto files = nlohmann::ordered_json::array();
+  for (const auto& entry : entries) files.push_back({{"name", entry.file}, {"time", entry.time_s}});
+  write_text_atomically(path, nlohmann::ordered_json{{"file-series-version", "1.0"}, {"files", files}}.dump(1) + "\n");
+}
+
+}  // namespace bake

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Frames of a run: particles as VTKHDF 1.0 files, which ParaView 5.11 and VTK 9.1 open as they are, and any HDF5 reader too.
+//
+// Inside: group VTKHDF with Points [n, 3] in m, one poly-vertex cell over all particles, PointData/<name> with an attribute
+// `unit` each, and the simulated time as attribute `time_s` of VTKHDF. (VTKHDF's own time steps are unknown to VTK 9.1: times
+// are given to ParaView by the series file.)
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace bake {
+
+/// One quantity of all particles: `components` numbers per particle (1 scalar, 3 vector, 9 tensor by rows), particle by particle.
+struct FrameColumn {
+  std::string name;
+  std::string unit;
+  std::variant<std::span<const float>, std::span<const std::int64_t>> values;
+  std::size_t components = 1;
+};
+
+struct FrameData {
+  std::span<const float> positions;  ///< x, y, z of each particle [m]; may be empty
+  std::vector<FrameColumn> columns;
+};
+
+/// File name of a frame: 42 -> "0042.hdf". (ParaView knows the format by this ending only.)
+std::string frame_name(int frame);
+
+/// Writes one frame, whole or not at all, exactly as given (lossless compression). Throws OutputError, and
+/// std::invalid_argument if a column's length is not components x particles.
+void write_frame(const std::filesystem::path& path, double time_s, const FrameData& frame);
+
+struct SeriesEntry {
+  std::string file;  ///< relative to the series file
+  double time_s;
+};
+
+/// Writes the list that ParaView opens as an animation. `path` must end in ".hdf.series" for ParaView to know it.
+void write_series(const std::filesystem::path& path, const std::vector<SeriesEntry>& entries);
+
+}  // namespace bake

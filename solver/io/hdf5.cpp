@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+#include "solver/io/hdf5.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <functional>
+#include <numeric>
+#include <system_error>
+
+#include "solver/io/hdf5_driver.h"
+#include "solver/scene/scene.h"
+
+namespace bake {
+namespace {
+
+constexpr hsize_t k_chunk_rows = 65536;
+
+/// HDF5 prints its error stack unless told not to; the setting belongs to the thread.
+void silence_hdf5() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+/// The innermost message of HDF5's error stack: where the trouble began.
+std::string hdf5_reason() {
+  std::string reason = "HDF5 gives no reason";
+  const auto take = [](unsigned, const H5E_error2_t* error, void* to) -> herr_t {
+    *static_cast<std::string*>(to) = error->desc;
+    return 1;  // the first one is enough
+  };
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take, &reason);
+  std::replace(reason.begin(), reason.end(), '\n', ' ');
+  return reason;
+}
+
+template <class Error>
+Error hdf5_error(const std::filesystem::path& file, const std::string& name, const std::string& reason) {
+  return Error(fmt::format("{}: {}: {}", file.string(), name, reason));
+}
+
+hid_t native_type(ElementType type) {
+  switch (type) {
+    case ElementType::float32:
+      return H5T_NATIVE_FLOAT;
+    case ElementType::float64:
+      return H5T_NATIVE_DOUBLE;
+    case ElementType::int32:
+      return H5T_NATIVE_INT32;
+    case ElementType::int64:
+      return H5T_NATIVE_INT64;
+    case ElementType::uint64:
+      return H5T_NATIVE_UINT64;
+    case ElementType::uint8:
+      return H5T_NATIVE_UINT8;
+    default:
+      return -1;
+  }
+}
+
+ElementType kind_of(hid_t type) {
+  using enum ElementType;
+  for (const auto known : {float32, float64, int32, int64, uint64, uint8}) {
+    if (H5Tequal(type, native_type(known)) > 0) return known;
+  }
+  const auto kind = H5Tget_class(type);
+  return kind == H5T_FLOAT ? other_real : kind == H5T_INTEGER ? other_whole : none;
+}
+
+std::string in_words(const std::vector<std::size_t>& shape) { return fmt::format("[{}]", fmt::join(shape, ", ")); }
+
+}  // namespace
+
+// ---------------------------------------------------------------------------------------------------------------- writing
+
+Hdf5Writer::Hdf5Writer(AtomicFile& file, std::size_t heading_bytes) : target_(&file) {
+  silence_hdf5();
+  const auto access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "/");
+  const auto creation = checked(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "/");
+  make_groups_ = checked(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "/");
+  check(H5Pset_create_intermediate_group(make_groups_, 1), "/");
+  check(H5Pset_userblock(creation, heading_bytes), "/");
+  check(write_through(access, file) ? 0 : -1, "/");
+  file_ = checked(H5Fcreate(file.target().c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose, "/");
+}
+
+Hdf5Handle Hdf5Writer::checked(hid_t id, Hdf5Handle::Close close, const std::string& name) const {
+  check(id < 0 ? -1 : 0, name);
+  return Hdf5Handle(id, close);
+}
+
+void Hdf5Writer::check(herr_t status, const std::string& name) const {
+  target_->check();  // the system's reason says more than HDF5's
+  if (status < 0) throw hdf5_error<OutputError>(target_->target(), name, "cannot write: " + hdf5_reason());
+}
+
+void Hdf5Writer::group(const std::string& name) {
+  checked(H5Gcreate2(file_, name.c_str(), make_groups_, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, name);
+}
+
+void Hdf5Writer::write(const std::string& name, ElementType type, const void* values, const std::vector<hsize_t>& shape, Packing packing) {
+  const auto count = std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>());
+  const auto space = checked(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, name);
+  const auto creation = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
+  check(H5Pset_obj_track_times(creation, false), name);
+  if (packing == Packing::shuffle_gzip && count > 0) {
+    auto chunk = shape;
+    chunk[0] = std::min(chunk[0], k_chunk_rows);
+    check(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), name);
+    check(H5Pset_shuffle(creation), name);
+    check(H5Pset_deflate(creation, 1), name);
+  }
+  const auto data = checked(H5Dcreate2(file_, name.c_str(), native_type(type), space, make_groups_, creation, H5P_DEFAULT), H5Dclose, name);
+  if (count > 0) check(H5Dwrite(data, native_type(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
+}
+
+void Hdf5Writer::write_attribute(const std::string& object, const std::string& name, hid_t type, hid_t space, const void* value) {
+  const auto where = object + " @" + name;
+  const auto attribute =
+      checked(H5Acreate_by_name(file_, object.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, where);
+  check(H5Awrite(attribute, type, value), where);
+}
+
+void Hdf5Writer::attribute(const std::string& object, const std::string& name, double value) {
+  write_attribute(object, name, H5T_NATIVE_DOUBLE, checked(H5Screate(H5S_SCALAR), H5Sclose, name), &value);
+}
+
+void Hdf5Writer::attribute(const std::string& object, const std::string& name, std::int64_t value) {
+  write_attribute(object, name, H5T_NATIVE_INT64, checked(H5Screate(H5S_SCALAR), H5Sclose, name), &value);
+}
+
+void Hdf5Writer::attribute(const std::string& object, const std::string& name, std::uint64_t value) {
+  write_attribute(object, name, H5T_NATIVE_UINT64, checked(H5Screate(H5S_SCALAR), H5Sclose, name), &value);
+}
+
+void Hdf5Writer::attribute(const std::string& object, const std::string& name, std::span<const std::int64_t> values) {
+  const hsize_t count = values.size();
+  write_attribute(object, name, H5T_NATIVE_INT64, checked(H5Screate_simple(1, &count, nullptr), H5Sclose, name), values.data());
+}
+
+void Hdf5Writer::attribute(const std::string& object, const std::string& name, std::string_view text) {
+  const auto type = checked(H5Tcopy(H5T_C_S1), H5Tclose, name);
+  check(H5Tset_size(type, std::max<std::size_t>(text.size(), 1)), name);  // of fixed length: VTK reads no other
+  check(H5Tset_strpad(type, H5T_STR_NULLPAD), name);
+  check(H5Tset_cset(type, H5T_CSET_UTF8), name);
+  write_attribute(object, name, type, checked(H5Screate(H5S_SCALAR), H5Sclose, name), text.empty() ? "" : text.data());
+}
+
+void Hdf5Writer::close() { check(file_.close() ? 0 : -1, "/"); }
+
+// ---------------------------------------------------------------------------------------------------------------- reading
+
+Hdf5Reader::Hdf5Reader(std::filesystem::path path) : path_(std::move(path)) {
+  const int descriptor = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);  // HDF5 would not say why
+  if (descriptor < 0) throw InputError(fmt::format("{}: cannot open: {}", path_.string(), std::generic_category().message(errno)));
+  ::close(descriptor);
+  silence_hdf5();
+  const auto access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "/");
+  check(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG), "/");
+  file_ = Hdf5Handle(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
+  if (!file_.valid()) throw InputError(fmt::format("{}: not an HDF5 file, or cut short: {}", path_.string(), hdf5_reason()));
+}
+
+Hdf5Handle Hdf5Reader::checked(hid_t id, Hdf5Handle::Close close, const std::string& name) const {
+  check(id < 0 ? -1 : 0, name);
+  return Hdf5Handle(id, close);
+}
+
+void Hdf5Reader::check(herr_t status, const std::string& name) const {
+  if (status < 0) throw hdf5_error<InputError>(path_, name, "cannot read: " + hdf5_reason());
+}
+
+bool Hdf5Reader::has(const std::string& name) const {
+  // HDF5 asks for every part of the path on its own
+  for (auto end = name.find('/', 1); end != std::string::npos; end = name.find('/', end + 1)) {
+    if (H5Lexists(file_, name.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
+  }
+  return H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0;
+}
+
+Hdf5Handle Hdf5Reader::dataset(const std::string& name) const {
+  if (!has(name)) throw hdf5_error<InputError>(path_, name, "there is no such dataset");
+  return checked(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, name);
+}
+
+ElementType Hdf5Reader::stored_type(const std::string& name) const {
+  const auto data = dataset(name);
+  return kind_of(checked(H5Dget_type(data), H5Tclose, name));
+}
+
+std::vector<std::size_t> Hdf5Reader::shape(const std::string& name) const {
+  const auto data = dataset(name);
+  const auto space = checked(H5Dget_space(data), H5Sclose, name);
+  if (H5Sget_simple_extent_type(space) == H5S_NULL) throw hdf5_error<InputError>(path_, name, "holds nothing");
+  const int rank = H5Sget_simple_extent_ndims(space);
+  check(rank, name);
+  std::vector<hsize_t> sizes(static_cast<std::size_t>(rank));
+  check(H5Sget_simple_extent_dims(space, sizes.data(), nullptr), name);
+  return {sizes.begin(), sizes.end()};
+}
+
+std::size_t Hdf5Reader::expect_rows(const std::string& name, std::size_t columns) const {
+  const auto found = shape(name);
+  const bool right = columns == 0 ? found.size() == 1 : found.size() == 2 && found[1] == columns;
+  const auto wanted = columns == 0 ? std::string("[n]") : fmt::format("[n, {}]", columns);
+  if (!right) throw hdf5_error<InputError>(path_, name, fmt::format("has shape {}, needs {}", in_words(found), wanted));
+  H5D_space_status_t stored{};
+  check(H5Dget_space_status(dataset(name), &stored), name);
+  if (found[0] > 0 && stored == H5D_SPACE_STATUS_NOT_ALLOCATED) throw hdf5_error<InputError>(path_, name, "was never filled");
+  return found[0];
+}
+
+void Hdf5Reader::read(const std::string& name, ElementType type, void* to) const {
+  if (stored_type(name) == ElementType::none) throw hdf5_error<InputError>(path_, name, "does not hold numbers");
+  check(H5Dread(dataset(name), native_type(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, to), name);
+}
+
+bool Hdf5Reader::has_attribute(const std::string& object, const std::string& name) const {
+  return H5Aexists_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+Hdf5Handle Hdf5Reader::scalar_attribute(const std::string& object, const std::string& name, H5T_class_t kind) const {
+  const auto where = object + " @" + name;
+  if (!has_attribute(object, name)) throw hdf5_error<InputError>(path_, where, "there is no such attribute");
+  auto attribute = checked(H5Aopen_by_name(file_, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose, where);
+  const auto type = checked(H5Aget_type(attribute), H5Tclose, where);
+  const auto space = checked(H5Aget_space(attribute), H5Sclose, where);
+  const bool right = H5Tget_class(type) == kind && H5Sget_simple_extent_npoints(space) == 1 && H5Tis_variable_str(type) <= 0;
+  if (!right) throw hdf5_error<InputError>(path_, where, "is of another type than this program writes");
+  return attribute;
+}
+
+template <>
+double Hdf5Reader::attribute(const std::string& object, const std::string& name) const {
+  double value = 0;
+  check(H5Aread(scalar_attribute(object, name, H5T_FLOAT), H5T_NATIVE_DOUBLE, &value), name);
+  return value;
+}
+
+template <>
+std::int64_t Hdf5Reader::attribute(const std::string& object, const std::string& name) const {
+  std::int64_t value = 0;
+  check(H5Aread(scalar_attribute(object, name, H5T_INTEGER), H5T_NATIVE_INT64, &value), name);
+  return value;
+}
+
+template <>
+std::uint64_t Hdf5Reader::attribute(const std::string& object, const std::string& name) const {
+  std::uint64_t value = 0;
+  check(H5Aread(scalar_attribute(object, name, H5T_INTEGER), H5T_NATIVE_UINT64, &value), name);
+  return value;
+}
+
+template <>
+std::string Hdf5Reader::attribute(const std::string& object, const std::string& name) const {
+  const auto attribute = scalar_attribute(object, name, H5T_STRING);
+  const auto type = checked(H5Aget_type(attribute), H5Tclose, name);
+  std::string text(H5Tget_size(type), '\0');
+  check(H5Aread(attribute, type, text.data()), name);
+  if (text == std::string(1, '\0')) text.clear();  // an empty text is stored as one zero
+  return text;
+}
+
+}  // namespace bake

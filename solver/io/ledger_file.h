@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// ledger.csv: what the run has booked, one row per frame.
+//
+// A row is appended by one write and flushed to disk; if that write fails, the file is cut back to its last whole row. (Writing the
+// whole file aside for each row would cost the square of the number of frames, and programs that follow the file would lose it.)
+// A row torn by a power cut has no end of line: readers leave it out, resuming cuts it off.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace bake {
+
+struct Ledger {
+  std::vector<std::string> columns;
+  std::vector<std::vector<double>> rows;  ///< each as long as `columns`
+};
+
+/// Reads a ledger. Throws InputError (file:line) on a missing file, a row of wrong length or a word that is no number.
+Ledger read_ledger(const std::filesystem::path& path);
+
+/// The ledger of a run in progress. The first column (frame or time) must rise from row to row.
+class LedgerFile {
+ public:
+  /// Begins a new file with its heading line. Names must not hold commas or line breaks. Throws OutputError.
+  static LedgerFile create(const std::filesystem::path& path, const std::vector<std::string>& columns);
+  /// Continues a file behind the row whose first column is `last`: later rows are cut. Throws InputError if the file is missing,
+  /// unreadable or has other columns, OutputError if it cannot be written.
+  static LedgerFile resume(const std::filesystem::path& path, const std::vector<std::string>& columns, double last);
+  ~LedgerFile();
+  LedgerFile(LedgerFile&& other) noexcept;
+  LedgerFile& operator=(LedgerFile&&) = delete;
+
+  /// Appends a row, with 17 significant digits. Throws OutputError, the file then ends with the row before;
+  /// std::invalid_argument if the row is not as long as the heading.
+  void append(std::span<const double> row);
+
+ private:
+  LedgerFile(std::filesystem::path path, std::size_t columns);
+
+  std::filesystem::path path_;
+  std::size_t columns_;
+  int descriptor_;
+};
+
+}  // namespace bake

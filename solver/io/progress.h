@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// How far a run has come: one line redrawn on a terminal, now and then a plain line in a log, or nothing.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <string_view>
+
+namespace bake {
+
+/// Where a run stands.
+struct Standing {
+  int frame = 0;   ///< frames written so far
+  int frames = 0;  ///< frames of the whole run
+  double time_s = 0;
+  double end_s = 0;
+  double dt_s = 0;
+  std::uint64_t particle_steps = 0;  ///< since the program started; rises
+};
+
+/// How fast it goes, measured over the last half minute or so; 0 while unknown.
+struct Pace {
+  double particle_steps_per_s = 0;
+  double left_s = 0;
+};
+
+enum class ProgressStyle { quiet, bar, lines };
+
+/// Where to show it. Clock and width are functions so that tests can set them.
+struct ProgressOutput {
+  std::ostream& to;
+  ProgressStyle style;
+  std::function<double()> seconds;  ///< a clock that never runs backwards
+  std::function<int()> width;       ///< of the terminal, in characters
+};
+
+/// Standard error: a bar if it is a terminal, lines if not, nothing if `quiet`.
+ProgressOutput progress_on_stderr(bool quiet);
+
+/// The line for a terminal: fits into `width` characters by leaving out first the bar, then what is least important.
+std::string bar_line(const Standing& standing, const Pace& pace, int width);
+/// The line for a log.
+std::string log_line(const Standing& standing, const Pace& pace);
+/// "0:07", "12:34", "3:04:05"; "-:--" for what is not a time.
+std::string clock_text(double seconds);
+
+class Progress {
+ public:
+  explicit Progress(ProgressOutput output);
+  /// Leaves the terminal on a fresh line, also when an exception ends the run.
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// To be called after every step; shows something at most 10 times a second (bar). In a log: at finished frames only, if 10 s have
+  /// passed since the last line or another tenth of the frames is done, and at the last frame.
+  void update(const Standing& standing);
+
+ private:
+  void measure(const Standing& standing, double now);
+  void draw_bar(const Standing& standing, double now);
+  void print_line(const Standing& standing, double now);
+  Pace pace(const Standing& standing) const;
+
+  ProgressOutput output_;
+  Standing last_;           ///< at the update before
+  double last_update_;      ///< [s of the clock]
+  double last_shown_;       ///< [s of the clock]
+  int shown_tenths_ = 0;    ///< of the frames
+  bool line_open_ = false;  ///< a bar stands on the terminal's last line
+  bool first_ = true;
+  // decaying sums over the recent past
+  double recent_wall_s_ = 0;
+  double recent_time_s_ = 0;
+  double recent_particle_steps_ = 0;
+};
+
+}  // namespace bake

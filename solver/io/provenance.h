@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace bake {
+
+/// Where a result comes from, as stored beside it:
+/// program: version, commit, dirty (null if unknown), compiler, flags, build_type; libraries: hdf5, eigen, fmt;
+/// machine: cpu, logical_cores, memory_bytes, os; date (UTC, ISO 8601). The name of the machine is left out on purpose.
+/// `commit` is "unknown" for sources without git; `dirty` speaks of the program's own sources only.
+nlohmann::json provenance();
+
+}  // namespace bake
