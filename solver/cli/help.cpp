@@ -3,13 +3,20 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "solver/cli/commands.h"
+#include "solver/io/provenance.h"
 #include "solver/scene/explain.h"
 
 namespace bake::cli {
 
-std::string version_line() { return "bake " BAKE_VERSION; }
+std::string version_line() {
+  const nlohmann::json program = provenance()["program"];
+  const bool dirty = program["dirty"].is_boolean() && program["dirty"].get<bool>();
+  return fmt::format("bake {} (commit {}{})", program["version"].get<std::string>(), program["commit"].get<std::string>(),
+                     dirty ? ", changed since" : "");
+}
 
 void add_help_commands(CLI::App& app, Action& action) {
   auto key = std::make_shared<std::string>();

@@ -36,13 +36,13 @@ void check_command(const CLI::App& app, const std::vector<std::string>& argument
 int run_command_line(std::vector<std::string> arguments) {
   CLI::App app("Bake simulates baking: dough as a mixture of solid, water and gas, by the material point method.", "bake");
   app.set_help_flag("-h,--help", "Print this help and exit");
-  app.set_version_flag("--version", version_line(), "Print the version and exit");
+  app.set_version_flag("--version", version_line, "Print the version and exit");
   app.require_subcommand(1);
-  app.footer("Through the script ./bake there are also the commands test and bench, and --no-install.");
   Action action;
   add_run_command(app, action);
   add_scene_commands(app, action);
   add_help_commands(app, action);
+  app.footer("Through the script ./bake there are also the commands test and bench, and --no-install.");
 
   check_command(app, arguments);
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back

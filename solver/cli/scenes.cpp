@@ -30,7 +30,12 @@ int list() {
   const std::vector<SceneFile> scenes = known_scenes();
   std::size_t width = 0;
   for (const SceneFile& scene : scenes) width = std::max(width, scene.name.size());
-  for (const SceneFile& scene : scenes) fmt::print("{:<{}}  {}\n", scene.name, width, title_or_error(scene));
+  std::string experiment;
+  for (const SceneFile& scene : scenes) {
+    if (scene.experiment != experiment) fmt::print("{}\n", scene.experiment);
+    experiment = scene.experiment;
+    fmt::print("  {:<{}}  {}\n", scene.name, width, title_or_error(scene));
+  }
   return k_success;
 }
 

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tests/cli/program.h"
+
+namespace bake::test {
+namespace {
+
+/// Wrong use is told in one line on stderr that says what is wrong, and nothing else happens.
+void expect_refused(const Workplace& place, const std::string& arguments, const std::string& reason) {
+  SCOPED_TRACE("bake " + arguments);
+  const Outcome outcome = place.bake(arguments);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err.rfind("bake: ", 0), 0u) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(place.folder() / "results"));
+}
+
+void expect_success(const Workplace& place, const std::string& arguments, const std::string& said) {
+  SCOPED_TRACE("bake " + arguments);
+  const Outcome outcome = place.bake(arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find(said), std::string::npos) << outcome.out;
+}
+
+TEST(CommandLine, WrongCommandsAreRefused) {
+  const Workplace place;
+  expect_refused(place, "", "no command");
+  expect_refused(place, "rum dough", "did you mean 'run'?");
+  expect_refused(place, "--bogus", "subcommand is required");
+  expect_refused(place, "list extra", "extra");
+  expect_refused(place, "run", "scene");
+  expect_refused(place, "run dough more", "more");
+}
+
+TEST(CommandLine, UnknownScenesAreRefusedWithTheNearestName) {
+  const Workplace place;
+  for (const std::string command : {"run", "info", "validate"}) {
+    expect_refused(place, command + " duogh", "did you mean 'dough'?");
+    expect_refused(place, command + " nowhere.toml", "nowhere.toml");
+  }
+}
+
+TEST(CommandLine, ANameThatTwoExperimentsHaveMustSayWhichOne) {
+  const Workplace place;
+  std::filesystem::copy(place.folder() / "experiments/fig01_dough", place.folder() / "experiments/fig02_dough");
+  expect_refused(place, "validate dough", "ambiguous");
+  expect_success(place, "validate fig02_dough/dough", "fig02_dough/dough.toml: valid");
+}
+
+TEST(CommandLine, WrongOptionsAreRefused) {
+  const Workplace place;
+  expect_refused(place, "run dough --bogus", "--bogus");
+  expect_refused(place, "run dough --threads 0", "--threads");
+  expect_refused(place, "run dough --threads -2", "--threads");
+  expect_refused(place, "run dough --threads many", "--threads");
+  expect_refused(place, "run dough --threads 1.5", "--threads");
+  expect_refused(place, "run dough --threads", "--threads");
+  expect_refused(place, "run dough --threads 1 --threads 2", "--threads");
+  expect_refused(place, "run dough --frames 0", "--frames");
+  expect_refused(place, "run dough --frames 3 --end 1", "excludes");
+  expect_refused(place, "run dough --end 0", "--end");
+  expect_refused(place, "run dough --end nan", "--end");
+  expect_refused(place, "run dough --end inf", "--end");
+  expect_refused(place, "run dough --end soon", "--end");
+  expect_refused(place, "run dough --quality best", "draft,standard,paper");
+  expect_refused(place, "info dough --quality best", "draft,standard,paper");
+  expect_refused(place, "run dough --precision half", "single,double");
+  expect_refused(place, "run dough --set", "--set");
+}
+
+TEST(CommandLine, WrongOverridesAreRefused) {
+  const Workplace place;
+  expect_refused(place, "run dough --set run.end_s", "run.end_s");
+  expect_refused(place, "run dough --set run.end_s=-1", "run.end_s");
+  expect_refused(place, "run dough --set run.ends_s=1", "run.end_s");
+  expect_refused(place, "run dough --set material.sand.density_kg_per_m3=1", "sand");
+}
+
+TEST(CommandLine, WrongScenesAreRefusedWithFileAndLine) {
+  const Workplace place;
+  place.write("broken.toml", "title = \"no end\n");
+  expect_refused(place, "validate broken.toml", "broken.toml:1");
+  expect_refused(place, "run broken.toml", "broken.toml:1");
+  place.write("empty.toml", "");
+  expect_refused(place, "validate empty.toml", "empty.toml");
+  std::filesystem::create_directory(place.folder() / "folder.toml");
+  expect_refused(place, "validate folder.toml", "folder.toml");
+}
+
+TEST(CommandLine, UnknownKeysAreNotExplained) {
+  const Workplace place;
+  expect_refused(place, "explain run.ends_s", "run.end_s");
+}
+
+TEST(CommandLine, ScenesAreFoundByNameFromAnyFolderBelow) {
+  const Workplace place;
+  expect_success(place, "validate dough", "dough.toml: valid");
+  std::filesystem::create_directories(place.folder() / "experiments/notes/deep");
+  const std::string below = (place.folder() / "experiments/notes/deep").string();
+  const Outcome outcome = place.bake("version && cd '" + below + "' && '" BAKE_PROGRAM "' validate dough");
+  EXPECT_EQ(outcome.exit_code, 0);
+}
+
+TEST(CommandLine, QuestionsAreAnswered) {
+  const Workplace place;
+  expect_success(place, "list", "Dough at rest");
+  expect_success(place, "info dough", "");
+  expect_success(place, "explain run.end_s", "end_s");
+  expect_success(place, "explain", "density_kg_per_m3");
+  expect_success(place, "version", "bake ");
+  expect_success(place, "--version", "bake ");
+  expect_success(place, "--help", "validate");
+  expect_success(place, "run --help", "--resume");
+}
+
+TEST(CommandLine, AnInvalidSceneIsListedAsSuch) {
+  const Workplace place;
+  place.write("experiments/fig02_bad/bad.toml", "title = 3\n");
+  expect_success(place, "list", "not a valid scene");
+}
+
+TEST(CommandLine, ARunLeavesItsResultsWhereItSays) {
+  const Workplace place;
+  expect_success(place, "run dough", "");
+  EXPECT_TRUE(std::filesystem::is_directory(place.folder() / "results/dough-draft"));
+  expect_success(place, "run dough --quality draft --out 'my bread' --frames 1 --threads 1 --precision double", "");
+  EXPECT_TRUE(std::filesystem::is_directory(place.folder() / "my bread"));
+}
+
+TEST(CommandLine, AQuietRunPrintsNothing) {
+  const Workplace place;
+  const Outcome outcome = place.bake("run dough --quiet --set run.end_s=0.005");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out + outcome.err, "");
+}
+
+TEST(CommandLine, ResultsThatCannotBeWrittenFailTheRun) {
+  const Workplace place;
+  place.write("taken", "a file, not a folder");
+  const Outcome outcome = place.bake("run dough --out taken/results");
+  EXPECT_GE(outcome.exit_code, 2);
+  EXPECT_LE(outcome.exit_code, 3);
+  EXPECT_EQ(outcome.err.rfind("bake: ", 0), 0u) << outcome.err;
+}
+
+}  // namespace
+}  // namespace bake::test

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "tests/cli/program.h"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace bake::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* k_dough = R"(title = "Dough at rest"
+effects = ["motion", "elasticity"]
+
+[run]
+end_s = 0.01
+frame_rate_per_s = 200
+
+[grid]
+dx_m = 0.01
+
+[domain]
+min_m = [0, 0, 0]
+max_m = [0.2, 0.2, 0.2]
+
+[[material]]
+name = "dough"
+density_kg_per_m3 = 1000
+young_modulus_Pa = 1e4
+poisson_ratio = 0.3
+
+[[body]]
+material = "dough"
+shape = { box = { min_m = [0.05, 0.05, 0.05], max_m = [0.15, 0.15, 0.15] } }
+)";
+
+fs::path make_folder() {
+  std::string name = (fs::temp_directory_path() / "bake_cli_XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+  return name;
+}
+
+std::string content(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+Workplace::Workplace() : folder_(make_folder()) { write("experiments/fig01_dough/dough.toml", k_dough); }
+
+Workplace::~Workplace() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+void Workplace::write(const fs::path& file, const std::string& text) const {
+  fs::create_directories((folder_ / file).parent_path());
+  std::ofstream(folder_ / file) << text;
+}
+
+Outcome Workplace::bake(const std::string& arguments) const {
+  const std::string command = fmt::format("cd '{}' && '{}' {} >.out 2>.err", folder_.string(), BAKE_PROGRAM, arguments);
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder_ / ".out"), content(folder_ / ".err")};
+}
+
+}  // namespace bake::test

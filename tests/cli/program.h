@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Runs the real `bake` program as a user would.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace bake::test {
+
+struct Outcome {
+  int exit_code = -1;
+  std::string out;
+  std::string err;
+};
+
+/// A folder of its own for one test: the working folder of the program, with one small valid scene,
+/// experiments/fig01_dough/dough.toml. Removed at the end.
+class Workplace {
+ public:
+  Workplace();
+  ~Workplace();
+  Workplace(const Workplace&) = delete;
+  Workplace& operator=(const Workplace&) = delete;
+
+  /// `arguments` as typed in a shell.
+  Outcome bake(const std::string& arguments) const;
+  void write(const std::filesystem::path& file, const std::string& text) const;
+  const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+}  // namespace bake::test

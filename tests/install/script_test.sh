@@ -1,0 +1,138 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Tests the script ./bake by itself: a copy of it runs in an empty folder where apt, CMake, Ninja and the compiler are stand-ins
+# that only record how they were called. Usage: script_test.sh <source folder>
+set -euo pipefail
+unset CC CXX
+
+source_folder=$1
+sandbox=$(mktemp -d)
+trap 'rm -rf "$sandbox"' EXIT
+clone="$sandbox/a clone"
+tools=$sandbox/tools
+failures=0
+
+stand_in() { # <name> <what it does>
+  printf '#!/bin/bash\necho "$(basename "$0") $*" >>"%s/calls"\n%s\n' "$sandbox" "$2" >"$tools/$1"
+  chmod +x "$tools/$1"
+}
+
+# A new clone on a Debian with every package.
+fresh_clone() {
+  rm -rf "$clone" "$tools"
+  mkdir -p "$clone" "$tools"
+  cp "$source_folder/bake" "$clone/"
+  cp -r "$source_folder/packages" "$clone/"
+  local tool
+  for tool in bash env basename dirname readlink cat sed grep cut tr tail tee rm mkdir mktemp touch flock nproc id chmod; do
+    ln -s "$(command -v "$tool")" "$tools/$tool"
+  done
+  stand_in dpkg-query 'shift 3; printf "installed %s\n" "$@"'
+  stand_in apt-get 'true'
+  stand_in g++ 'echo 12'
+  stand_in sudo '"$@"'
+  stand_in cmake 'mkdir -p build/release; touch build/release/build.ninja
+echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/release/CMakeCache.txt
+for word in "$@"; do case $word in -DBAKE_*=ON) word=${word#-D}; echo "${word%=ON}:BOOL=ON" >>build/release/CMakeCache.txt ;; esac; done'
+  stand_in ninja 'printf "#!/bin/bash\nprintf \"<%%s>\" \"\$@\"; exit 7\n" >"$2/bake"; chmod +x "$2/bake"'
+  stand_in ctest 'echo "100% tests passed"'
+  : >"$sandbox/calls"
+}
+
+# Runs the script; sets status, output (both streams) and calls (of the stand-ins).
+run() {
+  : >"$sandbox/calls"
+  status=0
+  output=$(cd "$sandbox" && PATH=$tools "$clone/bake" "$@" 2>&1) || status=$?
+  calls=$(<"$sandbox/calls")
+}
+
+expect() { # <what holds> <condition...>
+  local what=$1
+  shift
+  if "$@"; then return; fi
+  failures=$((failures + 1))
+  printf 'FAILED: %s\n  status: %s\n  output: %s\n  calls: %s\n' "$what" "$status" "$output" "$calls"
+}
+exits_with() { [[ $status == "$1" ]]; }
+says() { [[ $output == *"$1"* ]]; }
+called() { [[ $calls == *"$1"* ]]; }
+not() { ! "$@"; }
+
+fresh_clone
+run run bread --set 'a=[1, 2]' ''
+expect "the program gets the arguments unchanged" says '<run><bread><--set><a=[1, 2]><>'
+expect "the program's exit code is the script's" exits_with 7
+expect "only the program is built" called "bake_program"
+expect "nothing is installed when nothing is missing" not called "apt-get"
+expect "tests are not configured for a run" called "-DBAKE_TESTS=OFF"
+run run bread
+expect "the second time does not configure" not called "cmake"
+expect "the second time does not look at packages" not called "dpkg-query"
+expect "the second time shows nothing of its own" [ "$output" = "<run><bread>" ]
+run --help
+expect "options alone go to the program" says '<--help>'
+run test -R Transfer
+expect "tests are built with everything" called "-DBAKE_TESTS=ON"
+expect "arguments of test go to ctest" called "--parallel 2 -R Transfer"
+expect "passing tests are a success" exits_with 0
+stand_in ctest 'exit 8'
+run test
+expect "failing tests are exit 1" exits_with 1
+echo libnew-dev >>"$clone/packages/run.txt"
+run run bread
+expect "a changed list is checked again" called "dpkg-query"
+stand_in g++-13 'echo 13'
+rm "$tools/g++"
+run run bread
+expect "another compiler configures again" called "g++-13"
+
+fresh_clone
+stand_in dpkg-query 'true'
+run run bread --no-install
+expect "missing packages and --no-install are exit 2" exits_with 2
+expect "missing packages are named" says "missing packages: cmake ninja-build libeigen3-dev"
+expect "--no-install installs nothing" not called "apt-get"
+expect "a run does not ask for test packages" not says "libgtest-dev"
+run --no-install test
+expect "tests ask for test packages" says "libgtest-dev"
+rm "$tools/g++"
+run run bread --no-install
+expect "a missing compiler is named" says "g++"
+stand_in g++ 'echo 11'
+run run bread --no-install
+expect "an old compiler counts as missing" says "g++"
+run run bread
+expect "missing packages are installed" called "install --yes --no-install-recommends cmake"
+expect "without a new enough compiler there is no build" exits_with 2
+stand_in apt-get 'if [[ $* == *install* ]]; then echo "no such package"; exit 100; fi'
+run run bread
+expect "a failed installation is exit 3" exits_with 3
+expect "a failed installation shows its end" says "no such package"
+
+fresh_clone
+rm "$tools/apt-get" "$tools/dpkg-query"
+run run bread
+expect "another system with the tools builds all the same" exits_with 7
+rm "$tools/ninja"
+run run bread
+expect "another system without a tool is exit 2" exits_with 2
+expect "another system is told what is needed" says "no apt-get"
+
+fresh_clone
+stand_in ninja 'echo "error: expected a semicolon"; exit 1'
+run run bread
+expect "a failed build is exit 3" exits_with 3
+expect "a failed build shows its end" says "expected a semicolon"
+run run bread
+expect "after a failed build the packages are checked again" called "dpkg-query"
+
+fresh_clone
+run run bread
+mv "$clone" "$sandbox/moved"
+clone=$sandbox/moved
+run run bread
+expect "a moved clone configures again" called "cmake"
+
+echo "$failures failed"
+exit $((failures > 0))
