@@ -46,41 +46,36 @@ Vector3 box_normal(const Vector3& y, const Vector3& half) {
 
 // --- ellipsoid
 
-/// The point of an ellipsoid's surface nearest to y, for y >= 0: foot_i = e_i^2 y_i / (t + e_i^2) with the largest t
-/// that puts it on the surface. [Eberly, "Distance from a Point to an Ellipse, an Ellipsoid, or a Hyperellipsoid"]
+/// The point of an ellipsoid's surface nearest to y, for y >= 0: foot_i = e_i^2 y_i / (t + gap_i) with
+/// gap_i = e_i^2 - (shortest e)^2 and the largest t that puts it on the surface.
+/// [Eberly, "Distance from a Point to an Ellipse, an Ellipsoid, or a Hyperellipsoid"]
 Vector3 ellipsoid_foot(Vector3 y, const Vector3& e) {
   const int shortest = index_of_smallest(e);
-  // Next to a symmetry plane the equation for t is ill-conditioned; on it, it is not. The error is of this size.
-  for (double& coordinate : y) coordinate = coordinate < 1e-10 * e[shortest] ? 0 : coordinate;
-  const double pole = -e[shortest] * e[shortest];
-  double t = pole;
-  for (int i = 0; i < 3; ++i) t = std::max(t, e[i] * (y[i] - e[i]));
-
-  const auto foot_at = [&](double at) {
-    Vector3 foot;
-    for (int i = 0; i < 3; ++i) foot[i] = y[i] > 0 ? y[i] * (e[i] * e[i] / (at + e[i] * e[i])) : 0;
-    return foot;
-  };
-  // Newton on 1 / sqrt(level) = 1, concave in t: monotone from the left.
-  for (int iteration = 0; iteration < 100; ++iteration) {
-    const Vector3 foot = foot_at(t);
+  Vector3 gap;
+  double t = 0;
+  for (int i = 0; i < 3; ++i) {
+    // Next to a symmetry plane Newton's method creeps, on it there is nothing to solve. The error is of this size.
+    if (y[i] < 1e-12 * e[shortest]) y[i] = 0;
+    gap[i] = (e[i] - e[shortest]) * (e[i] + e[shortest]);
+    t = std::max(t, e[i] * y[i] - gap[i]);
+  }
+  Vector3 foot = {0, 0, 0};
+  // Newton on 1 / sqrt(level) = 1, concave in t: monotone from the left, where level > 1.
+  for (int iteration = 0; iteration < 120; ++iteration) {
     double level = 0, slope = 0;
     for (int i = 0; i < 3; ++i) {
       if (y[i] == 0) continue;
+      foot[i] = y[i] * (e[i] * e[i] / (t + gap[i]));
       const double term = (foot[i] / e[i]) * (foot[i] / e[i]);
       level += term;
-      slope += term / (t + e[i] * e[i]);
+      slope += term / (t + gap[i]);
     }
-    if (level < 1 && t == pole) {  // deep inside on a symmetry plane: two nearest points, take one
-      Vector3 beside = foot;
-      beside[shortest] = e[shortest] * std::sqrt(1 - level);
-      return beside;
-    }
-    const double step = level * (std::sqrt(level) - 1) / slope;
+    if (level < 1 && t == 0) foot[shortest] = e[shortest] * std::sqrt(1 - level);  // either side of the symmetry plane
+    const double step = level > 1 ? level * (std::sqrt(level) - 1) / slope : 0;
+    if (step <= 1e-14 * t) break;
     t += step;
-    if (step < 1e-14 * (t - pole)) break;
   }
-  return foot_at(t);
+  return foot;
 }
 
 // --- round bodies about an axis: a trapezoid in the plane of height along the axis and radius

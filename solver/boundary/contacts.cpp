@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "solver/boundary/contacts.h"
+
+#include <algorithm>
+
+#include "solver/boundary/vector3.h"
+
+namespace bake {
+
+namespace {
+
+/// Velocity of dough that touches a surface with outward normal `n`, relative to the surface. Coulomb: friction takes as much
+/// tangential speed as `friction` times the normal speed that the surface takes.
+Vector3 contact(Vector3 relative, const Vector3& n, bool sticky, bool separating, double friction) {
+  if (sticky) return {0, 0, 0};
+  const double normal_speed = dot(relative, n);
+  if (separating && normal_speed >= 0) return relative;
+  Vector3 tangential = relative - normal_speed * n;
+  const double speed = length(tangential);
+  const double kept = speed > 0 ? std::max(0.0, 1 + friction * std::min(normal_speed, 0.0) / speed) : 0;
+  return kept * tangential;
+}
+
+}  // namespace
+
+Contacts::Contacts(const Scene& scene, const Lattice& lattice) : face_friction_(scene.domain.friction), lattice_(lattice) {
+  for (const Collider& c : scene.colliders) {
+    const Rule rule = c.contact == Contact::sticky ? Rule::sticky : c.contact == Contact::slip ? Rule::slip : Rule::separating;
+    const RigidPath path(c.motion, c.pivot_m);
+    all_.push_back({{c.shape, path, c.from_s, c.until_s}, rule, c.friction, c.temperature_C, c.exchange_W_per_m2K,
+                    path.moves() ? path.largest_speed(c.shape->bounds()) : 0});
+  }
+  for (const Grip& g : scene.grips) {
+    const RigidPath path(g.motion, g.pivot_m);
+    all_.push_back({{g.shape, path, g.from_s, g.until_s}, Rule::grip, 0, g.temperature_C, 0,
+                    path.moves() ? path.largest_speed(g.shape->bounds()) : 0});
+    holds_temperatures_ |= g.temperature_C.has_value();
+  }
+  const Face faces[6] = {scene.domain.x_min, scene.domain.x_max, scene.domain.y_min, scene.domain.y_max, scene.domain.z_min, scene.domain.z_max};
+  for (int i = 0; i < 6; ++i) {
+    if (faces[i] == Face::open) continue;
+    const int axis = i / 2;
+    const double at = lattice.origin({0, 0, 0})[static_cast<std::size_t>(axis)] + (i % 2 ? lattice.high_face(axis) : lattice.low_face()) * lattice.dx();
+    const Rule rule = faces[i] == Face::sticky ? Rule::sticky : faces[i] == Face::slip ? Rule::slip : Rule::separating;
+    faces_.push_back({axis, i % 2 ? -1.0 : 1.0, at, rule});
+  }
+}
+
+void Contacts::prepare(double time) {
+  present_.clear();
+  largest_speed_ = 0;
+  for (const Contacting& c : all_) {
+    if (!c.scripted.present(time)) continue;
+    const RigidState pose = c.scripted.path.at(time);
+    present_.push_back({&c, pose, c.scripted.bounds(pose), c.temperature ? (*c.temperature)(time) : 0});
+    largest_speed_ = std::max(largest_speed_, c.speed);
+  }
+}
+
+bool Contacts::near(const BlockIndex& block, double reach) const {
+  const Point low = lattice_.origin(block);
+  const double side = 3 * lattice_.dx();
+  for (const DomainFace& f : faces_) {
+    const double a = low[static_cast<std::size_t>(f.axis)];
+    if (f.sign > 0 ? a <= f.at : a + side >= f.at) return true;
+  }
+  for (const Present& p : present_) {
+    bool apart = false;
+    for (std::size_t d = 0; d < 3; ++d) apart |= low[d] > p.bounds.high[d] + reach || low[d] + side < p.bounds.low[d] - reach;
+    if (apart) continue;
+    const Point middle = low + Vector3{side / 2, side / 2, side / 2};
+    if (p.contact->scripted.distance(p.pose, middle) <= 0.87 * side + reach) return true;
+  }
+  return false;
+}
+
+Vector3 Contacts::velocity_after(const Point& x, Vector3 v) const {
+  for (const Present& p : present_) {
+    if (p.contact->scripted.distance(p.pose, x) > 0) continue;
+    const Vector3 wall = p.pose.velocity_at(x);
+    const Rule rule = p.contact->rule;
+    if (rule == Rule::sticky || rule == Rule::grip)
+      v = wall;
+    else
+      v = wall + contact(v - wall, p.contact->scripted.normal(p.pose, x), false, rule == Rule::separating, p.contact->friction);
+  }
+  for (const DomainFace& f : faces_) {
+    const double inside = f.sign * (x[static_cast<std::size_t>(f.axis)] - f.at);
+    if (inside > 1e-6 * lattice_.dx()) continue;
+    Vector3 n{0, 0, 0};
+    n[static_cast<std::size_t>(f.axis)] = f.sign;
+    v = contact(v, n, f.rule == Rule::sticky, f.rule == Rule::separating, f.rule == Rule::separating ? face_friction_ : 0);
+  }
+  return v;
+}
+
+std::optional<ContactHeat> Contacts::covering(const Point& x, const Vector3& n, double reach) const {
+  for (const Present& p : present_) {
+    if (p.contact->rule == Rule::grip || p.contact->scripted.distance(p.pose, x) > reach) continue;
+    if (dot(p.contact->scripted.normal(p.pose, x), n) > -0.5) continue;  // the surface looks elsewhere
+    if (!p.contact->temperature) return ContactHeat{};
+    return ContactHeat{p.contact->exchange, p.temperature};
+  }
+  return std::nullopt;
+}
+
+std::optional<double> Contacts::held_temperature(const Point& x) const {
+  for (const Present& p : present_)
+    if (p.contact->rule == Rule::grip && p.contact->temperature && p.contact->scripted.distance(p.pose, x) <= 0) return p.temperature;
+  return std::nullopt;
+}
+
+double Contacts::next_event(double time) const {
+  double next = k_infinity;
+  for (const Contacting& c : all_)
+    for (const double t : {c.scripted.from_s, c.scripted.until_s})
+      if (t > time) next = std::min(next, t);
+  return next;
+}
+
+}  // namespace bake
