@@ -24,11 +24,12 @@ void check_material_name(const SceneEntry& entry, const std::string& name, const
   complain_at(entry, "material", fmt::format("unknown material '{}', {}", quotable(name), suggestion(name, names)));
 }
 
-void check_rising(const SceneEntry& table, std::string_view key, const std::vector<double>& times) {
-  for (std::size_t i = 1; i < times.size(); ++i) {
-    if (times[i] > times[i - 1]) continue;
-    table.find(key).value_or(table).elements().at(i).complain(
-        fmt::format("found {} after {}, allowed: rising numbers", times[i], times[i - 1]));
+void check_rising(const SceneEntry& table, std::string_view key, const std::vector<double>& numbers) {
+  for (std::size_t i = 1; i < numbers.size(); ++i) {
+    if (numbers[i] > numbers[i - 1]) continue;
+    const SceneEntry member = table.find(key).value_or(table);
+    const SceneEntry place = member.node().is_array() ? member.elements().at(i) : member;  // one number may stand for all
+    place.complain(fmt::format("found {} after {}, allowed: rising numbers", numbers[i], numbers[i - 1]));
   }
 }
 

@@ -86,4 +86,13 @@ inline std::vector<std::string> effect_names() {
   return names;
 }
 
+/// Names of all tables and lists but those of effects.
+inline std::vector<std::string> table_names() {
+  std::vector<std::string> names;
+  const auto add = [&](const auto&... section) { (names.emplace_back(section.name), ...); };
+  std::apply(add, k_tables);
+  std::apply(add, k_lists);
+  return names;
+}
+
 }  // namespace bake

@@ -19,8 +19,7 @@ namespace {
 
 std::vector<std::string> top_level_keys() {
   std::vector<std::string> keys = {"title", "effects"};
-  std::apply([&](const auto&... section) { (keys.emplace_back(section.name), ...); }, k_tables);
-  std::apply([&](const auto&... section) { (keys.emplace_back(section.name), ...); }, k_lists);
+  for (const std::string& table : table_names()) keys.push_back(table);
   for (const std::string& effect : effect_names()) keys.push_back(effect);
   return keys;
 }

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// One line for each class of mistake.
+#include "tests/unit/scene/scenes.h"
+
+namespace bake::test {
+namespace {
+
+const std::string k_dough = "[[material]]\nname = \"dough\"\ndensity_kg_per_m3 = 500\n";  // lines 9 to 11 after k_least
+const std::string k_ball = "shape = { sphere = { radius_m = 0.1 } }\n";
+
+TEST(SceneError, WrongTypeNamesWhatWasFoundAndWhatIsAllowed) {
+  EXPECT_EQ(error_of(replaced(k_least, "end_s = 2", "end_s = \"soon\"")),
+            "bread.toml:2: run.end_s: found \"soon\", allowed: a number above 0");
+  EXPECT_EQ(error_of(replaced(k_least, "end_s = 2", "end_s = true")), "bread.toml:2: run.end_s: found true, allowed: a number above 0");
+  EXPECT_EQ(error_of(replaced(k_least, "end_s = 2", "end_s = 1979-05-27")),
+            "bread.toml:2: run.end_s: found a date or time, allowed: a number above 0");
+  EXPECT_EQ(error_of("title = 3\n" + k_least), "bread.toml:1: title: found 3, allowed: text in quotes");
+  EXPECT_EQ(error_of(replaced(k_least, "[0, 0, 0]", "[0, 0]")),
+            "bread.toml:6: domain.min_m: found a list of 2, allowed: [x, y, z], each any finite number");
+  EXPECT_EQ(error_of(replaced(k_least, "[0, 0, 0]", "[0, \"a\", 0]")),
+            "bread.toml:6: domain.min_m.1: found \"a\", allowed: any finite number");
+  EXPECT_EQ(error_of("run = 3\n"), "bread.toml:1: run: found 3, allowed: a table");
+  EXPECT_EQ(error_of(k_least + "[material]\nname = \"a\"\n"), "bread.toml:9: material: found a table, allowed: tables under [[material]]");
+  EXPECT_EQ(error_of("material = [3]\n" + k_least), "bread.toml:1: material.0: found 3, allowed: a table");
+}
+
+TEST(SceneError, WholeNumbersMustBeWhole) {
+  EXPECT_EQ(error_of(replaced(k_least, "end_s = 2", "end_s = 2\nseed = 1.5")),
+            "bread.toml:3: run.seed: found 1.5, allowed: a whole number of at least 0");
+  EXPECT_EQ(error_of(replaced(k_least, "end_s = 2", "end_s = 2\nseed = 3000000000")),
+            "bread.toml:3: run.seed: found 3000000000, allowed: a whole number of at least 0");
+}
+
+TEST(SceneError, OutOfRangeIsRefusedAndSoIsNan) {
+  EXPECT_EQ(error_of(replaced(k_least, "end_s = 2", "end_s = -5")), "bread.toml:2: run.end_s: found -5, allowed: a number above 0");
+  EXPECT_EQ(error_of(replaced(k_least, "end_s = 2", "end_s = nan")), "bread.toml:2: run.end_s: found nan, allowed: a number above 0");
+  EXPECT_EQ(error_of(replaced(k_least, "end_s = 2", "end_s = inf")), "bread.toml:2: run.end_s: found inf, allowed: a number above 0");
+  EXPECT_EQ(error_of(k_least + "[oven]\ntemperature_C = -300\n"),
+            "bread.toml:10: oven.temperature_C: found -300, allowed: a temperature above -273.15 degrees Celsius, "
+            "or [[time_s, value], ...] with rising times");
+}
+
+TEST(SceneError, MissingRequiredKeyPointsAtItsTable) {
+  EXPECT_EQ(error_of(replaced(k_least, "end_s = 2\n", "")), "bread.toml:1: run.end_s: missing, allowed: a number above 0");
+  EXPECT_EQ(error_of("title = \"x\"\n"), "bread.toml:1: run.end_s: missing, allowed: a number above 0");
+  EXPECT_EQ(error_of(""), "bread.toml:1: run.end_s: missing, allowed: a number above 0");
+  EXPECT_EQ(error_of(k_least + "[[material]]\nname = \"dough\"\n"),
+            "bread.toml:9: material.dough.density_kg_per_m3: missing, allowed: a number above 0");
+  EXPECT_EQ(error_of("effects = [\"motion\", \"elasticity\"]\n" + k_least + k_dough),
+            "bread.toml:10: material.dough.young_modulus_Pa: missing, allowed: a number above 0");
+}
+
+TEST(SceneError, UnknownKeyComesWithTheNearestOne) {
+  EXPECT_EQ(error_of(k_least + k_dough + "yuong_modulus_Pa = 1\n"),
+            "bread.toml:12: material.dough: unknown key 'yuong_modulus_Pa', did you mean 'young_modulus_Pa'?");
+  EXPECT_EQ(error_of(k_least + "[ovn]\n"), "bread.toml:9: unknown key 'ovn', did you mean 'oven'?");
+  EXPECT_EQ(error_of(replaced(k_least, "dx_m", "dx")), "bread.toml:4: grid: unknown key 'dx', did you mean 'dx_m'?");
+  EXPECT_EQ(error_of(k_least + "[surface]\ncolour = 1\n"), "bread.toml:10: surface: unknown key 'colour', allowed: form");
+  EXPECT_EQ(error_of(k_least + "[elasticity]\na = 1\n"), "bread.toml:10: elasticity: unknown key 'a', allowed: none");
+}
+
+TEST(SceneError, UnknownChoiceComesWithTheNearestOne) {
+  EXPECT_EQ(error_of(replaced(k_least, "dx_m = 0.01", "dx_m = 0.01\nkernel = \"qadratic\"")),
+            "bread.toml:5: grid.kernel: unknown name 'qadratic', did you mean 'quadratic'?");
+  EXPECT_EQ(error_of(replaced(k_least, "dx_m = 0.01", "dx_m = 0.01\nkernel = 3")),
+            "bread.toml:5: grid.kernel: found 3, allowed: \"quadratic\", \"cubic\"");
+}
+
+TEST(SceneError, MalformedTomlNamesLineAndColumn) {
+  const std::string message = error_of("[run]\nend_s = = 2\n");
+  EXPECT_EQ(message.rfind("bread.toml:2:9: no valid TOML: ", 0), 0u) << message;
+  const std::string twice = error_of("[run]\nend_s = 2\nend_s = 3\n");
+  EXPECT_EQ(twice.rfind("bread.toml:3:", 0), 0u) << twice;
+}
+
+TEST(SceneError, EffectsMustBeKnownSingleAndComplete) {
+  EXPECT_EQ(error_of("effects = [\"motoin\"]\n" + k_least), "bread.toml:1: effects.0: unknown name 'motoin', did you mean 'motion'?");
+  EXPECT_EQ(error_of("effects = [\"heat\", \"heat\"]\n" + k_least),
+            "bread.toml:1: effects.1: found 'heat' again, allowed: each effect once");
+  EXPECT_EQ(error_of("effects = \"heat\"\n" + k_least), "bread.toml:1: effects: found \"heat\", allowed: a list of effects in quotes");
+  EXPECT_EQ(error_of("effects = [\"elasticity\"]\n" + k_least), "bread.toml:1: effects: 'elasticity' needs 'motion'");
+  EXPECT_EQ(error_of("effects = [\"motion\", \"plasticity\"]\n" + k_least), "bread.toml:1: effects: 'plasticity' needs 'elasticity'");
+  EXPECT_EQ(error_of("effects = [\"motion\", \"heat\", \"leavening\"]\n" + k_least),
+            "bread.toml:1: effects: 'leavening' needs 'plasticity'");
+  EXPECT_EQ(error_of("effects = [\"motion\", \"elasticity\", \"plasticity\", \"leavening\"]\n" + k_least),
+            "bread.toml:1: effects: 'leavening' needs 'heat'");
+}
+
+TEST(SceneError, CurvesMustRiseInTime) {
+  EXPECT_EQ(error_of(k_least + "[oven]\ntemperature_C = [[0, 20],\n [0, 30]]\n"),
+            "bread.toml:11: oven.temperature_C.1: found time 0 after time 0, allowed: rising times");
+  EXPECT_EQ(error_of(k_least + "[oven]\ntemperature_C = [[0, 20, 3]]\n"),
+            "bread.toml:10: oven.temperature_C.0: found a list of 3, allowed: a pair [time_s, value]");
+  EXPECT_EQ(error_of(k_least + "[oven]\nexchange_W_per_m2K = [[0, -1]]\n"),
+            "bread.toml:10: oven.exchange_W_per_m2K.0.1: found -1, allowed: a number of at least 0");
+  EXPECT_NE(error_of(k_least + "[oven]\ntemperature_C = []\n").find("found a list of 0"), std::string::npos);
+}
+
+TEST(SceneError, DomainMustHaveVolume) {
+  EXPECT_EQ(error_of(replaced(k_least, "[1, 1, 1]", "[1, 0, 1]")),
+            "bread.toml:7: domain.max_m: found y = 0, allowed: a number above 0 (min_m)");
+}
+
+TEST(SceneError, StepBoundsMustNotCross) {
+  EXPECT_EQ(error_of(k_least + "[time]\nlargest_step_s = 1e-3\nsmallest_step_s = 1\n"),
+            "bread.toml:11: time.smallest_step_s: found 1, allowed: at most largest_step_s = 0.001");
+}
+
+TEST(SceneError, MaterialTemperaturesMustRise) {
+  EXPECT_EQ(error_of(k_least + k_dough + "temperatures_C = [4, 20, 20, 85]\n"),
+            "bread.toml:12: material.dough.temperatures_C.2: found 20 after 20, allowed: rising numbers");
+}
+
+TEST(SceneError, OneNumberCannotBeFourRisingTemperatures) {
+  EXPECT_EQ(error_of(k_least + k_dough + "temperatures_C = 20\n"),
+            "bread.toml:12: material.dough.temperatures_C: found 20 after 20, allowed: rising numbers");
+}
+
+TEST(SceneError, MaterialsMustHaveNamesOfTheirOwn) {
+  EXPECT_EQ(error_of(k_least + k_dough + k_dough), "bread.toml:13: material.dough.name: found 'dough' again, allowed: a name of its own");
+  EXPECT_EQ(error_of(k_least + replaced(k_dough, "\"dough\"", "\"\"")), "bread.toml:10: material.0.name: found \"\", allowed: a name");
+}
+
+TEST(SceneError, MaterialsMustHoldMoreThanTheirWater) {
+  EXPECT_EQ(error_of("effects = [\"water\"]\n" + k_least + k_dough + "initial_saturation = 0.5\n"),
+            "bread.toml:13: material.dough.initial_saturation: found 500 kg/m^3 of water in a mixture of 500 kg/m^3, "
+            "allowed: less water than mixture");
+}
+
+TEST(SceneError, WaterHasHeatOfItsOwnOrThatOfTheSolid) {
+  EXPECT_EQ(
+      error_of(k_least + k_dough + "water_specific_heat_J_per_kgK = -0.5\n"),
+      "bread.toml:12: material.dough.water_specific_heat_J_per_kgK: found -0.5, allowed: a number above 0, or -1 for that of the solid");
+}
+
+TEST(SceneError, BodyNeedsAKnownMaterial) {
+  EXPECT_EQ(error_of(k_least + k_dough + "[[body]]\nmaterial = \"duogh\"\n" + k_ball),
+            "bread.toml:13: body.0.material: unknown material 'duogh', did you mean 'dough'?");
+  EXPECT_EQ(error_of(k_least + "[[body]]\nmaterial = \"dough\"\n" + k_ball),
+            "bread.toml:10: body.0.material: unknown material 'dough', allowed: none");
+}
+
+TEST(SceneError, BodyIsEitherAShapeOrAFile) {
+  const std::string body = k_least + k_dough + "[[body]]\nmaterial = \"dough\"\n";
+  EXPECT_EQ(error_of(body), "bread.toml:12: body.0: found neither shape nor particles_file, allowed: one of them");
+  EXPECT_EQ(error_of(body + k_ball + "particles_file = \"a.h5\"\n"),
+            "bread.toml:12: body.0: found both shape and particles_file, allowed: one of them");
+}
+
+TEST(SceneError, BodyMustEndSomewhere) {
+  EXPECT_EQ(error_of(k_least + k_dough + "[[body]]\nmaterial = \"dough\"\nshape = { half_space = {} }\n"),
+            "bread.toml:14: body.0.shape: found a shape without end, allowed: a bounded one (cut it with an intersection)");
+}
+
+TEST(SceneError, KeyframesMustRiseInTime) {
+  EXPECT_EQ(error_of(k_least + "[[collider]]\nname = \"pin\"\n" + k_ball + "motion = [{time_s = 1},\n{time_s = 0.5}]\n"),
+            "bread.toml:13: collider.pin.motion.1: found 0.5 after 1, allowed: rising numbers");
+  EXPECT_EQ(error_of(k_least + "[[grip]]\n" + k_ball + "motion = [{time_s = 1}, {time_s = 1}]\n"),
+            "bread.toml:11: grip.0.motion.1: found 1 after 1, allowed: rising numbers");
+  EXPECT_EQ(error_of(k_least + "[[grip]]\n" + k_ball + "motion = [{}]\n"),
+            "bread.toml:11: grip.0.motion.0.time_s: missing, allowed: any finite number");
+}
+
+TEST(SceneError, TimesOfPresenceMustNotCross) {
+  EXPECT_EQ(error_of(k_least + "[[grip]]\n" + k_ball + "from_s = 2\nuntil_s = 2\n"),
+            "bread.toml:12: grip.0.until_s: found from_s = 2 and until_s = 2, allowed: from_s before until_s");
+  EXPECT_NE(error_of(k_least + "[[collider]]\n" + k_ball + "from_s = inf\n").find("bread.toml:11: collider.0.from_s: found"),
+            std::string::npos);
+}
+
+TEST(SceneError, EmitterMustPour) {
+  const std::string emitter = k_least + k_dough + "[[emitter]]\nmaterial = \"dough\"\n" + k_ball;
+  EXPECT_EQ(error_of(emitter + "velocity_m_per_s = [0, 0.0, 0]\n"),
+            "bread.toml:15: emitter.0.velocity_m_per_s: found [0, 0, 0], allowed: a velocity that is not zero");
+  EXPECT_EQ(error_of(emitter), "bread.toml:12: emitter.0.velocity_m_per_s: missing, allowed: [x, y, z], each any finite number");
+  EXPECT_NE(error_of(emitter + "velocity_m_per_s = [0, 0, 1]\nuntil_s = -1\n").find("emitter.0.until_s: found from_s = 0"),
+            std::string::npos);
+}
+
+TEST(SceneError, TextOfTheUserStaysOnOneLineAndShort) {
+  const std::string message = error_of(replaced(k_least, "end_s = 2", "end_s = \"a\\nb" + std::string(1000, 'x') + "\""));
+  EXPECT_LT(message.size(), 200u);
+  error_of("\"a\\nb\" = 1\n" + k_least);
+}
+
+}  // namespace
+}  // namespace bake::test

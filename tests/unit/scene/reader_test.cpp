@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "solver/scene/reader.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include "solver/scene/describe.h"
+#include "solver/scene/layout.h"
+#include "tests/unit/scene/scenes.h"
+
+namespace bake::test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+TEST(SceneReader, WhatIsNotGivenKeepsItsDefault) {
+  const Scene scene = parse(k_least);
+  EXPECT_EQ(scene.run.end_s, 2);
+  EXPECT_EQ(scene.run.frame_rate_per_s, RunSettings{}.frame_rate_per_s);
+  EXPECT_EQ(scene.run.precision, Precision::single_precision);
+  EXPECT_EQ(scene.time.largest_step_s, k_infinity);
+  EXPECT_EQ(scene.oven.temperature_C(17), 20);
+  EXPECT_EQ(scene.of<Motion>().gravity_m_per_s2, (Vector3{0, 0, -9.81}));
+  EXPECT_TRUE(scene.effects.empty());
+}
+
+TEST(SceneReader, ASceneWithoutBodiesIsLegal) { EXPECT_TRUE(parse(k_least).bodies.empty()); }
+
+TEST(SceneReader, EveryKindOfValueArrives) {
+  const Scene scene = parse(k_full);
+  EXPECT_EQ(scene.title, "a full kitchen");
+  EXPECT_EQ(scene.file, "bread.toml");
+  EXPECT_EQ(scene.run.precision, Precision::double_precision);
+  EXPECT_EQ(scene.grid.kernel, KernelOrder::cubic);
+  EXPECT_EQ(scene.domain.min_m, (Vector3{-1, -1, 0}));
+  EXPECT_EQ(scene.domain.z_max, Face::open);
+  EXPECT_EQ(scene.domain.z_min, Face::separating);
+  EXPECT_DOUBLE_EQ(scene.oven.temperature_C(30), 110);
+  EXPECT_EQ(scene.of<Heat>().integrator, Heat::Integrator::backward_euler);
+  ASSERT_EQ(scene.materials.size(), 2u);
+  EXPECT_EQ(of<Plasticity>(scene.materials[0]).yield_stress_Pa, (std::array<double, 4>{200, 100, 50, 1000}));
+  EXPECT_EQ(of<Plasticity>(scene.materials[0]).viscosity_Pa_s, (std::array<double, 4>{40, 40, 40, 40}));
+  EXPECT_EQ(of<Elasticity>(scene.materials[1]).young_modulus_Pa, 1e6);
+  ASSERT_EQ(scene.bodies.size(), 2u);
+  EXPECT_EQ(scene.bodies[0].temperature_C, 5);
+  EXPECT_EQ(scene.bodies[0].saturation, std::nullopt);
+  EXPECT_EQ(scene.bodies[1].particles_file, "chips/all.h5");
+  ASSERT_TRUE(scene.colliders[0].temperature_C.has_value());
+  EXPECT_DOUBLE_EQ((*scene.colliders[0].temperature_C)(15), 100);
+  EXPECT_EQ(scene.colliders[0].until_s, k_infinity);
+  ASSERT_EQ(scene.grips[0].motion.size(), 2u);
+  EXPECT_EQ(scene.grips[0].motion[1].position_m, (Vector3{0, 0, 0.3}));
+  EXPECT_EQ(scene.emitters[0].velocity_m_per_s, (Vector3{0, 0, -0.5}));
+}
+
+TEST(SceneReader, EffectsStandInTheOrderInWhichTheyAct) {
+  const Scene scene = parse(k_full);
+  EXPECT_EQ(scene.effects, (Names{"motion", "heat", "water", "elasticity", "plasticity", "leavening"}));
+  EXPECT_TRUE(scene.lists("heat"));
+  EXPECT_FALSE(parse(k_least).lists("heat"));
+}
+
+TEST(SceneReader, ALowerQualityCoarsensTheGrid) {
+  EXPECT_EQ(parse_scene(k_least, "a.toml", {Quality::draft, {}}).dx(), 0.04);
+  EXPECT_EQ(parse_scene(k_least, "a.toml").dx(), 0.01);
+}
+
+TEST(SceneReader, KeysOfEffectsThatAreOffAreReadAndNotRequired) {
+  const std::string with_material = "effects = [\"motion\"]\n" + k_least + "[[material]]\nname = \"a\"\ndensity_kg_per_m3 = 500\n";
+  EXPECT_EQ(of<Elasticity>(parse(with_material).materials[0]).young_modulus_Pa, 0);
+  EXPECT_EQ(of<Elasticity>(parse(with_material + "young_modulus_Pa = 7\n").materials[0]).young_modulus_Pa, 7);
+  EXPECT_EQ(error_of(with_material + "young_modulus_Pa = -5\n"),
+            "bread.toml:13: material.a.young_modulus_Pa: found -5, allowed: a number above 0");
+}
+
+TEST(SceneReader, PathsStartAtTheFolderOfTheScene) {
+  const std::string text =
+      k_least + "[[material]]\nname = \"a\"\ndensity_kg_per_m3 = 500\n[[body]]\nmaterial = \"a\"\nparticles_file = \"p.h5\"\n";
+  EXPECT_EQ(parse_scene(text, "kitchen/bread.toml").bodies[0].particles_file, "kitchen/p.h5");
+}
+
+TEST(SceneReader, NoKeyOfAMaterialBelongsToTwoEffects) {
+  Names keys = keys_of<Material>();
+  for_each_effect([&]<class Effect>() {
+    for (const std::string& key : keys_of<typename Effect::Material>()) keys.push_back(key);
+  });
+  std::sort(keys.begin(), keys.end());
+  EXPECT_EQ(std::adjacent_find(keys.begin(), keys.end()), keys.end());
+}
+
+TEST(SceneReader, NoEffectIsCalledLikeATable) {
+  Names names = effect_names();
+  for (const std::string& table : table_names()) names.push_back(table);
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
+}
+
+/// A folder that is gone after the test.
+class SceneFile : public ::testing::Test {
+ protected:
+  SceneFile() { std::filesystem::create_directories(folder_); }
+  ~SceneFile() override { std::filesystem::remove_all(folder_); }
+
+  std::string error_of_file(const std::filesystem::path& file) {
+    try {
+      read_scene(file);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  }
+
+  const std::filesystem::path folder_ =
+      ::testing::TempDir() + "bake_scene_file_" + ::testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(SceneFile, IsReadFromDisk) {
+  std::ofstream(folder_ / "bread.toml") << k_full;
+  const Scene scene = read_scene(folder_ / "bread.toml");
+  EXPECT_EQ(scene.bodies[1].particles_file, folder_ / "chips/all.h5");
+}
+
+TEST_F(SceneFile, ThatIsNotThereIsRefused) {
+  EXPECT_EQ(error_of_file(folder_ / "cake.toml"), (folder_ / "cake.toml").string() + ": no such file");
+}
+
+TEST_F(SceneFile, ThatIsAFolderIsRefused) {
+  EXPECT_EQ(error_of_file(folder_), folder_.string() + ": found a folder, allowed: a TOML file");
+}
+
+}  // namespace
+}  // namespace bake::test
