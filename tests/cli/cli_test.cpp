@@ -79,7 +79,7 @@ TEST(CommandLine, WrongOverridesAreRefused) {
   const Workplace place;
   expect_refused(place, "run dough --set run.end_s", "run.end_s");
   expect_refused(place, "run dough --set run.end_s=-1", "run.end_s");
-  expect_refused(place, "run dough --set run.ends_s=1", "run.end_s");
+  expect_refused(place, "run dough --set run.ends_s=1", "did you mean 'end_s'?");
   expect_refused(place, "run dough --set material.sand.density_kg_per_m3=1", "sand");
 }
 

@@ -36,7 +36,7 @@ poisson_ratio = 0.3
 
 [[body]]
 material = "dough"
-shape = { box = { min_m = [0.05, 0.05, 0.05], max_m = [0.15, 0.15, 0.15] } }
+shape = { box = { centre_m = [0.1, 0.1, 0.1], half_extents_m = [0.05, 0.05, 0.05] } }
 )";
 
 fs::path make_folder() {
