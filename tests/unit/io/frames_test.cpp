@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "solver/io/frames.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "solver/io/hdf5.h"
+#include "tests/unit/io/scratch.h"
+
+namespace bake {
+namespace {
+
+TEST(Frame, ComesBackExactlyWithUnitsAndTime) {
+  const Scratch scratch;
+  const std::vector<float> positions{0, 0.1f, -0.0f, 1e-40f, std::numeric_limits<float>::max(), 3};
+  const std::vector<float> theta{20.5f, NAN};
+  const std::vector<float> velocity{1, 2, 3, 4, 5, 6};
+  const std::vector<std::int64_t> id{7, std::int64_t{1} << 60};
+  const double time_s = 1.0 / 24;
+  write_frame(scratch / "0001.hdf", time_s,
+              {positions,
+               {{"theta", "C", std::span<const float>(theta), 1},
+                {"velocity", "m/s", std::span<const float>(velocity), 3},
+                {"id", "1", std::span<const std::int64_t>(id), 1}}});
+  const Hdf5Reader in(scratch / "0001.hdf");
+  EXPECT_TRUE(same_bits(in.table<float>("VTKHDF/Points", 3), positions));
+  EXPECT_TRUE(same_bits(in.array<float>("VTKHDF/PointData/theta"), theta));
+  EXPECT_EQ(in.table<float>("VTKHDF/PointData/velocity", 3), velocity);
+  EXPECT_EQ(in.array<std::int64_t>("VTKHDF/PointData/id"), id);
+  EXPECT_EQ(in.attribute<std::string>("VTKHDF/PointData/theta", "unit"), "C");
+  EXPECT_EQ(in.attribute<std::string>("VTKHDF/Points", "unit"), "m");
+  EXPECT_EQ(in.attribute<double>("VTKHDF", "time_s"), time_s);
+}
+
+TEST(Frame, IsOneVtkCellOverAllParticles) {
+  const Scratch scratch;
+  const std::vector<float> positions(9);
+  write_frame(scratch / "0000.hdf", 0, {positions, {}});
+  const Hdf5Reader in(scratch / "0000.hdf");
+  EXPECT_EQ(in.attribute<std::string>("VTKHDF", "Type"), "UnstructuredGrid");
+  EXPECT_EQ(in.array<std::int64_t>("VTKHDF/NumberOfPoints"), (std::vector<std::int64_t>{3}));
+  EXPECT_EQ(in.array<std::int64_t>("VTKHDF/NumberOfCells"), (std::vector<std::int64_t>{1}));
+  EXPECT_EQ(in.array<std::int64_t>("VTKHDF/Connectivity"), (std::vector<std::int64_t>{0, 1, 2}));
+  EXPECT_EQ(in.array<std::int64_t>("VTKHDF/Offsets"), (std::vector<std::int64_t>{0, 3}));
+  EXPECT_EQ(in.array<std::uint8_t>("VTKHDF/Types"), (std::vector<std::uint8_t>{2}));
+}
+
+TEST(Frame, MayHaveNoParticles) {
+  const Scratch scratch;
+  write_frame(scratch / "0000.hdf", 0,
+              {{}, {{"theta", "C", std::span<const float>(), 1}, {"velocity", "m/s", std::span<const float>(), 3}}});
+  const Hdf5Reader in(scratch / "0000.hdf");
+  EXPECT_TRUE(in.table<float>("VTKHDF/Points", 3).empty());
+  EXPECT_TRUE(in.table<float>("VTKHDF/PointData/velocity", 3).empty());
+}
+
+TEST(Frame, RefusesColumnsOfAnotherLength) {
+  const Scratch scratch;
+  const std::vector<float> positions(9), theta(2);
+  const auto message = message_of<std::invalid_argument>([&] {
+    write_frame(scratch / "0000.hdf", 0, {positions, {{"theta", "C", std::span<const float>(theta), 1}}});
+  });
+  EXPECT_TRUE(has(message, "theta has 2 numbers for 3 particles")) << message;
+  EXPECT_EQ(files_in(scratch.folder()), 0u);
+}
+
+TEST(Frame, NamesSortLikeNumbers) {
+  EXPECT_EQ(frame_name(0), "0000.hdf");
+  EXPECT_EQ(frame_name(42), "0042.hdf");
+  EXPECT_EQ(frame_name(12345), "12345.hdf");
+}
+
+TEST(Series, ListsFilesWithExactTimes) {
+  const Scratch scratch;
+  write_series(scratch / "frames.hdf.series", {{"0000.hdf", 0}, {"0001.hdf", 1.0 / 24}});
+  const auto series = nlohmann::json::parse(contents(scratch / "frames.hdf.series"));
+  EXPECT_EQ(series["file-series-version"], "1.0");
+  ASSERT_EQ(series["files"].size(), 2u);
+  EXPECT_EQ(series["files"][1]["name"], "0001.hdf");
+  EXPECT_EQ(series["files"][1]["time"].get<double>(), 1.0 / 24);
+}
+
+}  // namespace
+}  // namespace bake

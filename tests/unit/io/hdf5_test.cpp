@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "solver/io/hdf5.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <limits>
+#include <numeric>
+
+#include "solver/scene/scene.h"
+#include "tests/unit/io/scratch.h"
+
+namespace bake {
+namespace {
+
+template <class T>
+std::vector<T> awkward_numbers() {
+  using Limits = std::numeric_limits<T>;
+  if constexpr (std::is_floating_point_v<T>) {
+    auto payload = Limits::quiet_NaN();
+    reinterpret_cast<unsigned char*>(&payload)[0] = 0x5a;
+    return {0,
+            -T{0},
+            Limits::denorm_min(),
+            -Limits::min() / 2,
+            Limits::max(),
+            Limits::lowest(),
+            Limits::infinity(),
+            -Limits::infinity(),
+            Limits::quiet_NaN(),
+            -Limits::quiet_NaN(),
+            payload,
+            T(1) / 3};
+  } else {
+    return {0, 1, Limits::max(), Limits::min()};
+  }
+}
+
+template <class Write>
+void write_file(const std::filesystem::path& path, Write write) {
+  AtomicFile file(path);
+  Hdf5Writer out(file);
+  write(out);
+  out.close();
+  file.commit();
+}
+
+template <class T>
+class Hdf5Numbers : public testing::Test {};
+using Numbers = testing::Types<float, double, std::int32_t, std::int64_t, std::uint64_t, std::uint8_t>;
+TYPED_TEST_SUITE(Hdf5Numbers, Numbers);
+
+TYPED_TEST(Hdf5Numbers, ComeBackBitForBit) {
+  const Scratch scratch;
+  const auto numbers = awkward_numbers<TypeParam>();
+  for (const auto packing : {Packing::none, Packing::shuffle_gzip}) {
+    write_file(scratch / "f.hdf", [&](Hdf5Writer& out) {
+      out.array("deep/in/array", std::span<const TypeParam>(numbers), packing);
+      out.table("table", std::span<const TypeParam>(numbers), 2, packing);
+    });
+    const Hdf5Reader in(scratch / "f.hdf");
+    EXPECT_TRUE(same_bits(in.array<TypeParam>("deep/in/array"), numbers));
+    EXPECT_TRUE(same_bits(in.table<TypeParam>("table", 2), numbers));
+    EXPECT_EQ(in.stored_type("table"), element_type<TypeParam>());
+    EXPECT_EQ(in.shape("table"), (std::vector<std::size_t>{numbers.size() / 2, 2}));
+  }
+}
+
+TYPED_TEST(Hdf5Numbers, MayBeNone) {
+  const Scratch scratch;
+  write_file(scratch / "f.hdf", [](Hdf5Writer& out) {
+    out.array("array", std::span<const TypeParam>(), Packing::shuffle_gzip);
+    out.table("table", std::span<const TypeParam>(), 3, Packing::shuffle_gzip);
+  });
+  const Hdf5Reader in(scratch / "f.hdf");
+  EXPECT_TRUE(in.array<TypeParam>("array").empty());
+  EXPECT_TRUE(in.table<TypeParam>("table", 3).empty());
+}
+
+TEST(Hdf5, KeepsArraysOfManyPieces) {
+  const Scratch scratch;
+  std::vector<std::int32_t> numbers(200001);
+  std::iota(numbers.begin(), numbers.end(), -7);
+  write_file(scratch / "f.hdf", [&](Hdf5Writer& out) { out.array<std::int32_t>("n", numbers, Packing::shuffle_gzip); });
+  EXPECT_EQ(Hdf5Reader(scratch / "f.hdf").array<std::int32_t>("n"), numbers);
+  EXPECT_LT(std::filesystem::file_size(scratch / "f.hdf"), numbers.size() * 2);
+}
+
+TEST(Hdf5, KeepsAttributesExactly) {
+  const Scratch scratch;
+  const auto reals = awkward_numbers<double>();
+  write_file(scratch / "f.hdf", [&](Hdf5Writer& out) {
+    out.group("g");
+    for (std::size_t i = 0; i < reals.size(); ++i) out.attribute("g", fmt::format("real{}", i), reals[i]);
+    out.attribute("g", "whole", std::numeric_limits<std::int64_t>::min());
+    out.attribute("g", "large", std::numeric_limits<std::uint64_t>::max());
+    out.attribute("g", "text", "90 °C");
+    out.attribute("/", "empty", "");
+  });
+  const Hdf5Reader in(scratch / "f.hdf");
+  for (std::size_t i = 0; i < reals.size(); ++i) {
+    const auto read = in.attribute<double>("g", fmt::format("real{}", i));
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(read), std::bit_cast<std::uint64_t>(reals[i]));
+  }
+  EXPECT_EQ(in.attribute<std::int64_t>("g", "whole"), std::numeric_limits<std::int64_t>::min());
+  EXPECT_EQ(in.attribute<std::uint64_t>("g", "large"), std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(in.attribute<std::string>("g", "text"), "90 °C");
+  EXPECT_EQ(in.attribute<std::string>("/", "empty"), "");
+}
+
+TEST(Hdf5, GivesTheSameBytesForTheSameContents) {
+  const Scratch scratch;
+  const std::vector<float> numbers(1000, 0.5f);
+  for (const auto* name : {"a.hdf", "b.hdf"}) {
+    write_file(scratch / name, [&](Hdf5Writer& out) { out.array<float>("g/n", numbers, Packing::shuffle_gzip); });
+  }
+  EXPECT_EQ(contents(scratch / "a.hdf"), contents(scratch / "b.hdf"));
+}
+
+TEST(Hdf5, LeavesNothingWhenGivenUp) {
+  const Scratch scratch;
+  {
+    AtomicFile file(scratch / "f.hdf");
+    Hdf5Writer out(file);
+    out.array<float>("n", std::vector<float>(100));
+  }
+  EXPECT_EQ(files_in(scratch.folder()), 0u);
+}
+
+TEST(Hdf5, RefusesTheSameNameTwice) {
+  const Scratch scratch;
+  AtomicFile file(scratch / "f.hdf");
+  Hdf5Writer out(file);
+  const std::vector<float> numbers(3);
+  out.array<float>("n", numbers);
+  const auto message = message_of<OutputError>([&] { out.array<float>("n", numbers); });
+  EXPECT_TRUE(has(message, "f.hdf: n: cannot write: ")) << message;
+}
+
+TEST(Hdf5, SaysInOneLineWhatCannotBeRead) {
+  const Scratch scratch;
+  const auto path = scratch / "f.hdf";
+  write_file(path, [](Hdf5Writer& out) {
+    out.array<float>("numbers", std::vector<float>(6));
+    out.attribute("/", "text", "words");
+  });
+  const Hdf5Reader in(path);
+  const auto refusal = [&](auto action) { return message_of<InputError>([&] { action(in); }); };
+  EXPECT_TRUE(has(refusal([](auto& f) { f.template array<float>("group/none"); }), "f.hdf: group/none: there is no such dataset"));
+  EXPECT_TRUE(has(refusal([](auto& f) { f.template table<float>("numbers", 3); }), "numbers: has shape [6], needs [n, 3]"));
+  EXPECT_TRUE(has(refusal([](auto& f) { f.template attribute<double>("/", "text"); }), "/ @text: is of another type"));
+  EXPECT_TRUE(has(refusal([](auto& f) { f.template attribute<double>("/", "none"); }), "/ @none: there is no such attribute"));
+}
+
+TEST(Hdf5, SaysWhichFileCannotBeOpened) {
+  const Scratch scratch;
+  put(scratch / "note.txt", "these are words");
+  write_file(scratch / "f.hdf", [](Hdf5Writer& out) { out.array<float>("n", std::vector<float>(1000)); });
+  std::filesystem::resize_file(scratch / "f.hdf", 3000);
+  const auto refusal = [&](const char* name) { return message_of<InputError>([&] { Hdf5Reader(scratch / name); }); };
+  EXPECT_TRUE(has(refusal("missing.hdf"), "missing.hdf: cannot open: No such file or directory"));
+  EXPECT_TRUE(has(refusal("note.txt"), "note.txt: not an HDF5 file, or cut short: "));
+  EXPECT_TRUE(has(refusal("f.hdf"), "f.hdf: not an HDF5 file, or cut short: "));
+  EXPECT_TRUE(has(refusal("."), "not an HDF5 file, or cut short: "));
+}
+
+TEST(Hdf5, PrintsNothingItself) {
+  testing::internal::CaptureStderr();
+  EXPECT_THROW(Hdf5Reader("/nowhere/at/all"), InputError);
+  EXPECT_THROW(Hdf5Reader("/"), InputError);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+}  // namespace
+}  // namespace bake
