@@ -112,16 +112,14 @@ class PoissonSampler {
     return true;
   }
 
-  /// From each active point, throws darts into the shell between one and two radii until it is surrounded.
+  /// From the latest active point, throws darts into the shell between one and two radii until it is surrounded. (The
+  /// latest rather than a random one, for the cache.)
   void grow() {
     while (!active_.empty()) {
-      const std::size_t chosen = random_.bits() % active_.size();
-      const Point centre = points_[active_[chosen]];
+      const Point centre = points_[active_.back()];
       bool placed = false;
       for (int attempt = 0; attempt < k_tries && !placed; ++attempt) placed = try_point(centre + radius_ * in_shell());
-      if (placed) continue;
-      active_[chosen] = active_.back();
-      active_.pop_back();
+      if (!placed) active_.pop_back();
     }
   }
 

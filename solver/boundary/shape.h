@@ -18,9 +18,10 @@ struct Box3 {
   Point high;
 };
 
-/// A solid given by its signed distance [m]: negative inside, positive outside. For shapes whose exact distance has
-/// no closed form (ellipsoid, superellipsoid, differences) it is a first-order distance: right sign everywhere,
-/// right to first order near the surface, never steeper than 1.
+/// A solid given by its signed distance [m]: negative inside, positive outside, right sign everywhere. Exact for the
+/// plain shapes. A superellipsoid is right to first order at its surface; combinations take the smallest or largest
+/// distance of their parts. Outside, none claims more than the exact distance, so a ball of that radius is free (unless a
+/// superellipsoid is cut out of it: inside, that one may claim more than its depth).
 class Shape {
  public:
   virtual ~Shape() = default;

@@ -89,13 +89,16 @@ struct Frustum {
 /// A point or direction in that plane: {along the axis, away from the axis, 0}.
 using Profile = Vector3;
 
-struct ProfileDistance {
-  double distance;
-  Profile gradient;
+/// The face nearest to a point of the plane.
+struct Nearest {
+  Profile from_foot;  ///< from its nearest point to the point in question
+  Profile normal;     ///< outwards, of any length
+  bool inside;
 };
 
 Frustum frustum(const Point& from, const Point& to, double from_radius, double to_radius) {
-  return {from, unit(to - from), length(to - from), from_radius, to_radius};
+  const double height = length(to - from);
+  return {from, (1 / height) * (to - from), height, from_radius, to_radius};
 }
 
 Profile profile_of(const Frustum& f, const Point& x) {
@@ -103,31 +106,33 @@ Profile profile_of(const Frustum& f, const Point& x) {
   return {along, length(x - f.from - along * f.axis), 0};
 }
 
-ProfileDistance profile_distance(const Frustum& f, const Profile& p) {
-  const Profile edge = {0, f.from_radius, 0};
+Nearest nearest_face(const Frustum& f, const Profile& p) {
+  const Profile from_edge = p - Profile{0, f.from_radius, 0};
   const Profile side = {f.height, f.to_radius - f.from_radius, 0};
-  const Profile side_normal = unit({-side[1], side[0], 0});
-  const double share = std::clamp(dot(p - edge, side) / dot(side, side), 0.0, 1.0);
+  const Profile side_normal = {-side[1], side[0], 0};
+  const bool inside = p[0] > 0 && p[0] < f.height && dot(from_edge, side_normal) < 0;
 
-  struct Face {
-    Profile from_foot, normal;
+  const double share = std::clamp(dot(from_edge, side) / dot(side, side), 0.0, 1.0);
+  Nearest nearest{from_edge - share * side, side_normal, inside};
+  const auto keep_nearer = [&nearest](const Profile& from_foot, const Profile& normal) {
+    if (dot(from_foot, from_foot) < dot(nearest.from_foot, nearest.from_foot)) nearest.from_foot = from_foot, nearest.normal = normal;
   };
-  const std::array faces = {Face{p - edge - share * side, side_normal}, Face{p - Profile{0, std::min(p[1], f.from_radius), 0}, {-1, 0, 0}},
-                            Face{p - Profile{f.height, std::min(p[1], f.to_radius), 0}, {1, 0, 0}}};
-  const auto nearer = [](const Face& a, const Face& b) { return dot(a.from_foot, a.from_foot) < dot(b.from_foot, b.from_foot); };
-  const Face& nearest = *std::min_element(faces.begin(), faces.end(), nearer);
-  const double size = length(nearest.from_foot);
-  const bool inside = p[0] > 0 && p[0] < f.height && dot(p - edge, side_normal) < 0;
-  if (inside) return {-size, nearest.normal};
-  // Outside an edge the gradient points away from the edge; on the surface only the face has a direction.
-  return {size, size > 1e-12 * f.height ? (1 / size) * nearest.from_foot : nearest.normal};
+  keep_nearer({p[0], std::max(p[1] - f.from_radius, 0.0), 0}, {-1, 0, 0});
+  keep_nearer({p[0] - f.height, std::max(p[1] - f.to_radius, 0.0), 0}, {1, 0, 0});
+  return nearest;
 }
 
-double frustum_distance(const Frustum& f, const Point& x) { return profile_distance(f, profile_of(f, x)).distance; }
+double frustum_distance(const Frustum& f, const Point& x) {
+  const Nearest nearest = nearest_face(f, profile_of(f, x));
+  return nearest.inside ? -length(nearest.from_foot) : length(nearest.from_foot);
+}
 
 Vector3 frustum_normal(const Frustum& f, const Point& x) {
   const Profile p = profile_of(f, x);
-  const Profile gradient = profile_distance(f, p).gradient;
+  const Nearest nearest = nearest_face(f, p);
+  // Outside an edge the gradient points away from the edge; on the surface only the face has a direction.
+  const bool beyond_edge = !nearest.inside && length(nearest.from_foot) > 1e-12 * f.height;
+  const Profile gradient = unit(beyond_edge ? nearest.from_foot : nearest.normal);
   const Vector3 away = p[1] > 0 ? (1 / p[1]) * (x - f.from - p[0] * f.axis) : perpendicular(f.axis);
   return unit(gradient[0] * f.axis + gradient[1] * away);
 }

@@ -190,9 +190,9 @@ using AllShapes = std::tuple<Box, RoundedBox, Sphere, Ellipsoid, Cylinder, Capsu
 
 // Combinations. They throw std::invalid_argument for an empty list, a null shape or a scale that is not positive.
 
-/// Inside any of them. The distance is exact outside if the parts' are, and at most too shallow inside.
+/// Inside any of them. The distance is exact outside if the parts' are, and may be too shallow inside.
 ShapePtr make_union(std::vector<ShapePtr> parts);
-/// Inside all of them.
+/// Inside all of them. The distance is exact inside if the parts' are, and may be too small outside.
 ShapePtr make_intersection(std::vector<ShapePtr> parts);
 /// Inside `first` and in none of `cut`.
 ShapePtr make_difference(ShapePtr first, std::vector<ShapePtr> cut);

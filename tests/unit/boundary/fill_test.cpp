@@ -109,6 +109,15 @@ TEST(Fill, IsAFunctionOfTheSeed) {
   EXPECT_NE(fill_poisson(*ball, 0.2, 1), fill_poisson(*ball, 0.2, 2));
 }
 
+TEST(Fill, IsTheSameOnEveryPlatform) {
+  const ShapePtr ball = make_sphere({0, 0, 0}, 1);
+  const auto lattice = fill_lattice(*ball, 0.2, 0.5, 1), poisson = fill_poisson(*ball, 0.2, 1);
+  EXPECT_EQ(lattice.size(), 522u);
+  EXPECT_LT(length(lattice[0] - Point{-0.86917982940455463, -0.32689113492243921, -0.27535481078713758}), 1e-13);
+  EXPECT_EQ(poisson.size(), 531u);
+  EXPECT_LT(length(poisson[0] - Point{-0.97267216248371369, 0.10115049201831283, -0.1120443976609391}), 1e-13);
+}
+
 TEST(Fill, RefusesShapesWithoutEndAndSpacingsThatMakeNoSense) {
   const ShapePtr floor = make_half_space({0, 0, 0}, {0, 0, 1}), ball = make_sphere({0, 0, 0}, 1);
   EXPECT_THROW(fill_lattice(*floor, 0.1, 0, 0), std::invalid_argument);
