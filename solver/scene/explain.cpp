@@ -28,6 +28,7 @@ std::string explain_key(const CatalogueSection& section, const CatalogueKey& key
 
 std::string explain_section(const CatalogueSection& section) {
   std::string text = fmt::format("{}\n  {}\n", section.heading, section.meaning);
+  if (section.keys.empty()) text += "  (no keys of its own)\n";
   for (const CatalogueKey& key : section.keys) text += fmt::format("  {:<30} {:<14} {}\n", key.key, key.unit, key.meaning);
   return text;
 }
@@ -38,7 +39,7 @@ std::string overview(const std::vector<CatalogueSection>& sections) {
     std::vector<std::string> keys;
     for (const CatalogueKey& key : section.keys) keys.push_back(key.key);
     text += fmt::format("{}: {}\n    {}\n", section.heading, section.meaning,
-                        keys.empty() ? "no keys" : fmt::format("{}", fmt::join(keys, ", ")));
+                        keys.empty() ? "no keys of its own" : fmt::format("{}", fmt::join(keys, ", ")));
   }
   return text;
 }
@@ -89,8 +90,9 @@ std::string escaped_for_markdown(const std::string& text) {
 }
 
 std::string markdown_section(const CatalogueSection& section) {
-  std::string text = fmt::format("\n## `{}`\n\n{}\n", section.heading, escaped_for_markdown(section.meaning));
-  if (section.keys.empty()) return text;
+  const std::string quote = section.name.empty() ? "" : "`";
+  std::string text = fmt::format("\n## {1}{0}{1}\n\n{2}\n", section.heading, quote, escaped_for_markdown(section.meaning));
+  if (section.keys.empty()) return text + "\nNo keys of its own.\n";
   text += "\n| key | unit | default | allowed | meaning |\n|---|---|---|---|---|\n";
   for (const CatalogueKey& key : section.keys) {
     text += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.key, key.unit, key.standard, escaped_for_markdown(key.allowed),

@@ -9,10 +9,10 @@
 
 namespace bake {
 
-/// A number, or "inf" and "-inf", which JSON numbers cannot say.
+/// A number, or "inf" and "-inf", which JSON numbers cannot say. A zero has no sign: equal scenes have equal JSON.
 inline nlohmann::json json_number(double number) {
   if (std::isinf(number)) return number > 0 ? "inf" : "-inf";
-  return number;
+  return number + 0.0;
 }
 
 /// What `read_shape` made this shape from, defaults filled in; null for no shape and for one that was made in code.

@@ -109,6 +109,7 @@ std::string scene_fingerprint(const Scene& scene) {
 std::string toml_text(const nlohmann::json& value) {
   if (value.is_array()) return toml_list(value);
   if (value.is_object()) return toml_inline_table(value);
+  if (value.is_number_float()) return fmt::format("{}", value.get<double>());
   if (!value.is_string()) return value.dump();
   const auto& text = value.get_ref<const std::string&>();
   return text == "inf" || text == "-inf" ? text : toml_string(text);

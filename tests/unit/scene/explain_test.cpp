@@ -33,7 +33,7 @@ TEST(Explain, AFullKeySaysEverythingAboutIt) {
             "  allowed  a number of at least 0\n"
             "  default  required\n"
             "  effect   heat\n");
-  EXPECT_TRUE(contains(explain("oven.temperature_C"), "default  20.0\n"));
+  EXPECT_TRUE(contains(explain("oven.temperature_C"), "default  20\n"));
   EXPECT_TRUE(contains(explain("time.largest_step_s"), "default  inf\n"));
   EXPECT_TRUE(contains(explain("heat.integrator"), "default  \"forward_euler\"\n"));
   EXPECT_TRUE(contains(explain("effects"), "\"leavening\""));
