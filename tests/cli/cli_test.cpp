@@ -141,6 +141,17 @@ TEST(CommandLine, AQuietRunPrintsNothing) {
   EXPECT_EQ(outcome.out + outcome.err, "");
 }
 
+TEST(Readme, ItsExampleIsAValidScene) {
+  const Workplace place;
+  const std::string readme = content(std::filesystem::path(BAKE_SOURCE_DIR) / "README.md");
+  const std::string opening = "```toml\n";
+  const auto begin = readme.find(opening);
+  ASSERT_NE(begin, std::string::npos);
+  const auto first = begin + opening.size();
+  place.write("ball.toml", readme.substr(first, readme.find("```", first) - first));
+  expect_success(place, "validate ball.toml", "ball.toml: valid");
+}
+
 TEST(CommandLine, ResultsThatCannotBeWrittenFailTheRun) {
   const Workplace place;
   place.write("taken", "a file, not a folder");

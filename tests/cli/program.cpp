@@ -45,13 +45,13 @@ fs::path make_folder() {
   return name;
 }
 
+}  // namespace
+
 std::string content(const fs::path& file) {
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
   return text.str();
 }
-
-}  // namespace
 
 Workplace::Workplace() : folder_(make_folder()) { write("experiments/fig01_dough/dough.toml", k_dough); }
 

@@ -13,6 +13,8 @@ struct Outcome {
   std::string err;
 };
 
+std::string content(const std::filesystem::path& file);
+
 /// A folder of its own for one test: the working folder of the program, with one small valid scene,
 /// experiments/fig01_dough/dough.toml. Removed at the end.
 class Workplace {
