@@ -44,6 +44,7 @@ bool is_path(const std::string& text) {
 
 std::vector<std::string> names(const std::vector<SceneFile>& scenes) {
   std::vector<std::string> result;
+  result.reserve(scenes.size());
   for (const SceneFile& scene : scenes) result.push_back(scene.name);
   return result;
 }
