@@ -39,6 +39,21 @@ std::string in_one_line(std::string_view text) {
   return line;
 }
 
+/// The parser follows dotted keys by recursion, to any depth. Keys end with their line, so a bound of dots bounds the stack.
+void refuse_endless_keys(std::string_view text, const std::string& name) {
+  constexpr int k_most_dots = 3000;
+  int line = 1, dots = 0;
+  for (const char c : text) {
+    if (c == '.' && ++dots > k_most_dots) {
+      throw InputError(fmt::format("{}:{}: found more than {} dots in one line, allowed: shorter lines", name, line, k_most_dots));
+    }
+    if (c == '\n') {
+      ++line;
+      dots = 0;
+    }
+  }
+}
+
 }  // namespace
 
 std::string quotable_path(const std::filesystem::path& path) { return in_one_line(path.string()); }
@@ -114,6 +129,7 @@ void SceneEntry::expect_table() const {
 }
 
 toml::table parse_toml(std::string_view text, const std::string& name) {
+  refuse_endless_keys(text, name);
   try {
     return toml::parse(text, std::string_view(name));
   } catch (const toml::parse_error& error) {

@@ -14,6 +14,8 @@
 namespace bake {
 namespace {
 
+constexpr std::size_t k_deepest = 100;  // names in a dotted key; no scene key needs as many
+
 /// One `key=value`, taken apart.
 struct Override {
   std::string place;  ///< what messages call it
@@ -43,15 +45,16 @@ Override take_apart(const std::string& text) {
   change.value = text.substr(equals + 1);
   const bool nameless = std::any_of(change.keys.begin(), change.keys.end(), [](const std::string& key) { return key.empty(); });
   if (nameless) change.complain("found an empty name, allowed: key=value with a dotted key");
+  if (change.keys.size() > k_deepest) change.complain(fmt::format("found {} names, allowed: at most {}", change.keys.size(), k_deepest));
   return change;
 }
 
 /// The value of `value = ...` if that is one line of TOML.
 std::optional<toml::table> parse_value(const std::string& value, const std::string& place) {
   try {
-    toml::table holder = toml::parse(fmt::format("value = {}", value), std::string_view(place));
+    toml::table holder = parse_toml(fmt::format("value = {}", value), place);
     if (holder.size() == 1) return holder;
-  } catch (const toml::parse_error&) {
+  } catch (const InputError&) {  // said better by the caller, who knows both readings of the value
   }
   return std::nullopt;
 }

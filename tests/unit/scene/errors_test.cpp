@@ -177,6 +177,20 @@ TEST(SceneError, EmitterMustPour) {
             std::string::npos);
 }
 
+TEST(SceneError, EndlessKeysAndNestingDoNotExhaustTheStack) {
+  std::string key, tables, lists(100000, '[');
+  for (int i = 0; i < 100000; ++i) key += "a.", tables += "{a=";
+  EXPECT_EQ(error_of("\n" + key + "b = 1\n"), "bread.toml:2: found more than 3000 dots in one line, allowed: shorter lines");
+  EXPECT_EQ(error_of("\n[" + key + "b]\n"), "bread.toml:2: found more than 3000 dots in one line, allowed: shorter lines");
+  EXPECT_NE(error_of("a = " + lists).find("no valid TOML"), std::string::npos);
+  EXPECT_NE(error_of("a = " + tables).find("no valid TOML"), std::string::npos);
+  EXPECT_NE(error_of(k_least, {key + "b=1"}).find("found 100001 names, allowed: at most 100"), std::string::npos);
+  EXPECT_NE(error_of(k_least, {"a={" + key + "b=1}"}).find("allowed: a TOML value or one word"), std::string::npos);
+
+  const std::string legal_key = key.substr(0, 6000);
+  EXPECT_NE(error_of("[" + legal_key + "b]\n" + legal_key + "b = 1\n").find("unknown key 'a'"), std::string::npos);
+}
+
 TEST(SceneError, TextOfTheUserStaysOnOneLineAndShort) {
   const std::string message = error_of(replaced(k_least, "end_s = 2", "end_s = \"a\\nb" + std::string(1000, 'x') + "\""));
   EXPECT_LT(message.size(), 200u);
