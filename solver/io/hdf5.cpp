@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -157,6 +158,7 @@ Hdf5Reader::Hdf5Reader(std::filesystem::path path) : path_(std::move(path)) {
   silence_hdf5();
   const auto access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "/");
   check(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG), "/");
+  check(H5Pset_file_locking(access, false, true), "/");  // our files never change in place, and some file systems have no locks
   file_ = Hdf5Handle(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
   if (!file_.valid()) throw InputError(fmt::format("{}: not an HDF5 file, or cut short: {}", path_.string(), hdf5_reason()));
 }

@@ -43,7 +43,7 @@ class FileSizeLimit {
   rlimit before_{};
 };
 
-/// Writes files of about 4 `small` or `large` megabytes... the size is given in numbers of 4 bytes.
+/// Writes a file of so many numbers, 4 bytes each.
 using Write = std::function<void(const std::filesystem::path&, std::size_t numbers)>;
 
 std::vector<float> noise(std::size_t count) {
