@@ -55,7 +55,7 @@ std::string bar_line(const Standing& s, const Pace& pace, int width) {
                                fmt::format("{:.3f} s", s.time_s), fmt::format("dt {:.1e} s", s.dt_s)};  // most important first
   std::string line;
   for (const auto& part : parts) {
-    const auto longer = line.empty() ? part : line + "  " + part;
+    const auto longer = line.empty() ? part : fmt::format("{}  {}", line, part);
     if (longer.size() > static_cast<std::size_t>(std::max(width, 0))) return line;
     line = longer;
   }

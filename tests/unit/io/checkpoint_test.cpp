@@ -101,7 +101,8 @@ TEST_F(ACheckpoint, IsRefusedWhenAnyByteIsFlipped) {
     auto damaged = whole;
     damaged[at] = static_cast<char>(damaged[at] ^ 0x10);
     put(path_, damaged);
-    EXPECT_TRUE(has(refusal(), "checkpoint.h5: ") && has(refusal(), k_advice)) << "byte " << at << ": " << refusal();
+    const auto message = refusal();
+    EXPECT_TRUE(has(message, "checkpoint.h5: ") && has(message, k_advice)) << "byte " << at << ": " << message;
   }
 }
 
@@ -110,7 +111,8 @@ TEST_F(ACheckpoint, IsRefusedWhenCutShortAnywhere) {
   for (std::size_t length = 0; length < whole.size(); length += 101) {
     put(path_, whole.substr(0, length));
     const auto expected = length < k_checkpoint_heading ? std::string() : fmt::format("checkpoint.h5: cut short, {} of ", length);
-    EXPECT_TRUE(has(refusal(), expected) && has(refusal(), k_advice)) << "length " << length << ": " << refusal();
+    const auto message = refusal();
+    EXPECT_TRUE(has(message, expected) && has(message, k_advice)) << "length " << length << ": " << message;
   }
 }
 
