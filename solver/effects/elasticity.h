@@ -2,6 +2,9 @@
 // Elasticity: Hencky's logarithmic strain and a quadratic energy in it. [Ding19 Sec. 5.2]
 #pragma once
 
+#include "solver/core/symmetric.h"
+#include "solver/effects/totals.h"
+#include "solver/particles/fields.h"
 #include "solver/scene/parameter.h"
 
 namespace bake {
@@ -25,6 +28,66 @@ struct Elasticity {
       };
     }
   };
+
+  using Columns = FieldList<field::ElasticStrain>;
+  using Carried = FieldList<field::HenckyStrain>;
+  using Moments = FieldList<>;
+  using Values = FieldList<>;
+  using Gathered = FieldList<>;
+
+  template <class Real>
+  struct Constants {
+    Real lambda, mu, bulk;  ///< Lame's constants and the bulk modulus [Pa]
+    template <class Scene, class Substance>
+    Constants(const Scene&, const Substance& substance) {
+      const auto& m = std::get<Material>(substance.effects);
+      const double E = m.young_modulus_Pa, nu = m.poisson_ratio;
+      lambda = static_cast<Real>(E * nu / ((1 + nu) * (1 - 2 * nu)));
+      mu = static_cast<Real>(E / (2 * (1 + nu)));
+      bulk = static_cast<Real>(E / (3 * (1 - 2 * nu)));
+    }
+  };
+
+  /// Trial state: b_tr = (I + dt C) b_E (I + dt C)^T, kept as b - I so that small strains keep their digits.
+  template <class P, class From, class K, class S, class R>
+  BAKE_INLINE static void gather(P& p, const From&, const K&, const S& step, R&) {
+    using V = typename P::V;
+    const auto& b = p[field::b_E];
+    V D[3][3], M[3][3];
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) D[i][j] = step.dt * p[field::C][3 * i + j];
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        M[i][j] = D[i][j] + D[i][0] * b[k_component[0][j]] + D[i][1] * b[k_component[1][j]] + D[i][2] * b[k_component[2][j]];
+    Symmetric<V> trial;
+    for (int k = 0; k < 6; ++k) {
+      const int i = k_row_of[k], j = k_column_of[k];
+      trial.at[k] = b[k] + M[i][j] + M[j][i] + (M[i][0] * D[j][0] + M[i][1] * D[j][1] + M[i][2] * D[j][2]);
+    }
+    const auto strain = half_log1p<typename P::Real>(trial);
+    for (int k = 0; k < 6; ++k) {
+      p[field::b_E][k] = trial.at[k];
+      p[field::epsilon][k] = strain.at[k];
+    }
+  }
+
+  /// tau_E = lambda tr(eps) I + 2 mu eps
+  template <class P, class K>
+  BAKE_INLINE static void stress(P& p, const K& k) {
+    const auto& e = p[field::epsilon];
+    const auto volumetric = k.lambda * (e[0] + e[1] + e[2]);
+    for (int i = 0; i < 6; ++i) p[field::tau][i] += 2 * k.mu * e[i] + (i < 3 ? volumetric : 0 * volumetric);
+    p.stiffness += k.lambda + 2 * k.mu;
+  }
+
+  template <class P, class K, class S, class R>
+  static void totals(P& p, const K& k, const S&, R& report) {
+    using V = typename P::V;
+    Symmetric<V> e;
+    for (int i = 0; i < 6; ++i) e.at[i] = p[field::epsilon][i];
+    const V tr = trace(e);
+    report.add(Total::elastic, p[field::V_0] * (typename P::Real(0.5) * k.lambda * tr * tr + k.mu * norm_squared(e)));
+  }
 };
 
 }  // namespace bake

@@ -3,6 +3,9 @@
 #pragma once
 
 #include "solver/effects/parameters.h"
+#include "solver/effects/plasticity.h"
+#include "solver/effects/totals.h"
+#include "solver/particles/fields.h"
 #include "solver/scene/parameter.h"
 
 namespace bake {
@@ -38,6 +41,91 @@ struct Leavening {
       };
     }
   };
+
+  static constexpr double k_gas_constant = 8.314;  ///< R [J/(mol K)]
+
+  using Columns = FieldList<field::ProducedGas, field::Leavener>;
+  using Carried = FieldList<>;
+  using Moments = FieldList<>;
+  using Values = FieldList<>;
+  using Gathered = FieldList<>;
+
+  template <class Real>
+  struct Constants {
+    Real peak_rate, theta_r, inverse_width, total, n_0, nu_0, p_ref, scale;
+    bool finite, published, published_porosity;
+    template <class Scene, class Substance>
+    Constants(const Scene& scene, const Substance& substance) {
+      const auto& m = std::get<Material>(substance.effects);
+      const auto& settings = std::get<Settings>(scene.settings);
+      peak_rate = static_cast<Real>(m.production_mol_per_kgs * substance.density_kg_per_m3);
+      theta_r = static_cast<Real>(m.peak_temperature_C);
+      inverse_width = static_cast<Real>(1 / m.temperature_width_K);
+      finite = m.leavener_mol_per_m3 < k_infinity;
+      total = finite ? static_cast<Real>(m.leavener_mol_per_m3) : Real(1);
+      n_0 = static_cast<Real>(substance.initial_porosity);
+      p_ref = static_cast<Real>(settings.reference_pressure_Pa);
+      scale = static_cast<Real>(settings.reference_pressure_Pa / 101325);
+      nu_0 = static_cast<Real>(settings.reference_pressure_Pa * substance.initial_porosity /
+                               (k_gas_constant * (substance.initial_temperature_C + 273.15)));
+      published = settings.form == Form::published;
+      published_porosity = std::get<Plasticity::Settings>(scene.settings).porosity_form == Form::published;
+    }
+  };
+
+  template <class P>
+  static void fill(P& p, int lane, double share) {
+    p[field::nu][lane] = 0;
+    p[field::c][lane] = static_cast<typename P::Real>(share);
+  }
+
+  /// d nu/dt = alpha_g R_0 exp(-((theta - theta_r)/Delta theta)^2)   [Ding19 Sec. 5.4]
+  template <class V, class K>
+  BAKE_INLINE static V rate(V theta, const K& k) {
+    const V g = (theta - k.theta_r) * k.inverse_width;
+    return k.peak_rate * exp(-g * g);
+  }
+
+  /// DEPARTS [Ding19 Sec. 5.4]: leavener runs out when its total is given: dc/dt = -(rate / total) c, implicit in c, so that
+  /// nu + total c is kept to round-off.
+  template <class P, class From, class K, class S, class R>
+  BAKE_INLINE static void gather(P& p, const From&, const K& k, const S& step, R&) {
+    const auto wanted = step.dt * rate(p[field::theta], k);
+    if (k.finite) {
+      const auto z = wanted * (1 / k.total);
+      const auto spent = p[field::c] * z / (1 + z);
+      p[field::c] -= spent;
+      p[field::nu] += k.total * spent;
+    } else {
+      p[field::nu] += wanted * p[field::c];
+    }
+  }
+
+  /// - J [(nu_0 + nu) R theta_K / (J n) - p_ref] I with J n = J - (1 - n_0): all pore gas, against the atmosphere.
+  /// DEPARTS [Ding19 Eq. 13]: as printed only the CO2 counts, theta is not absolute and nothing pushes back.
+  template <class P, class K>
+  BAKE_INLINE static void stress(P& p, const K& k) {
+    using V = typename P::V;
+    using Real = typename P::Real;
+    const V J = p[field::J];
+    if (k.published) {
+      const V n = k.published_porosity ? p[field::J_P] - 1 + k.n_0 : 1 - (1 - k.n_0) / p[field::J_P];
+      const V moles = Real(k_gas_constant) * p[field::nu] * p[field::theta] / clamp(n, lanes<Real>(Real(0.02)), lanes<Real>(Real(0.97)));
+      for (int i = 0; i < 3; ++i) p[field::tau][i] -= moles;
+      p.stiffness += abs(moles);
+      return;
+    }
+    const V pores = clamp(J - (1 - k.n_0), Real(0.02) * J, Real(0.97) * J);
+    const V moles = Real(k_gas_constant) * (k.nu_0 + k.scale * p[field::nu]) * (p[field::theta] + Real(273.15));
+    const V pressure = J * (moles / pores - k.p_ref);
+    for (int i = 0; i < 3; ++i) p[field::tau][i] -= pressure;
+    p.stiffness += J * J * moles / (pores * pores);
+  }
+
+  template <class P, class K, class S, class R>
+  static void totals(P& p, const K&, const S&, R& report) {
+    report.add(Total::gas, p[field::V_0] * p[field::nu]);
+  }
 };
 
 }  // namespace bake

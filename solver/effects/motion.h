@@ -2,6 +2,9 @@
 // Motion: momentum, the affine velocity field and the volume it carries along.
 #pragma once
 
+#include "solver/core/symmetric.h"
+#include "solver/effects/totals.h"
+#include "solver/particles/fields.h"
 #include "solver/scene/parameter.h"
 
 namespace bake {
@@ -31,6 +34,105 @@ struct Motion {
   struct Material {
     static constexpr auto parameters() { return std::tuple{}; }
   };
+
+  using Columns = FieldList<field::VolumeRatio>;
+  using Carried = FieldList<field::Velocity, field::AffineVelocity, field::KirchhoffStress>;
+  using Moments = FieldList<channel::Momentum>;
+  using Values = FieldList<channel::Mass>;
+  using Gathered = FieldList<channel::NodeVelocity>;
+
+  template <class Real>
+  struct Constants {
+    Real affine, flip, inertia;
+    template <class Scene, class Substance>
+    Constants(const Scene& scene, const Substance&) {
+      const auto& settings = std::get<Settings>(scene.settings);
+      affine = settings.transfer == Transfer::apic;
+      flip = settings.transfer == Transfer::flip ? static_cast<Real>(settings.flip_blend) : Real(0);
+      inertia = static_cast<Real>(settings.inertia_scale);
+    }
+  };
+
+  template <class P>
+  static void fill(P& p, int lane) {
+    p[field::J][lane] = 1;
+  }
+
+  /// x += dt v, J *= det(I + dt C), with v and C = grad v of the nodes around.
+  template <class P, class From, class K, class S, class R>
+  BAKE_INLINE static void gather(P& p, const From& from, const K& k, const S& step, R&) {
+    for (int i = 0; i < 3; ++i) {
+      const auto v = from.value(channel::velocity, i);
+      p[field::x][i] += (step.dt / step.dx) * v;
+      if constexpr (P::template stores<field::Velocity>)
+        p[field::v][i] = v + k.flip * (p[field::v][i] - from.value(channel::old_velocity, i));
+      else
+        p[field::v][i] = v;
+      for (int j = 0; j < 3; ++j) p[field::C][3 * i + j] = from.gradient(channel::velocity, i, j);
+    }
+    const auto& C = p[field::C];
+    const auto a = [&](int i, int j) { return i == j ? 1 + step.dt * C[3 * i + j] : step.dt * C[3 * i + j]; };
+    p[field::J] *= a(0, 0) * (a(1, 1) * a(2, 2) - a(1, 2) * a(2, 1)) - a(0, 1) * (a(1, 0) * a(2, 2) - a(1, 2) * a(2, 0)) +
+                   a(0, 2) * (a(1, 0) * a(2, 1) - a(1, 1) * a(2, 0));
+  }
+
+  /// w m (v + C r) - dt V_0 tau D^-1 w r; tau is the Kirchhoff stress of the whole mixture.   [Ding19 Eq. 26-27]
+  template <class P, class To, class K, class S, class R>
+  BAKE_INLINE static void scatter(P& p, To& to, const K& k, const S& step, R&) {
+    const auto m = k.inertia * p.mass();
+    const auto force = -step.dt_next * step.inverse_d * p[field::V_0];
+    to.value(channel::mass) += m;
+    for (int i = 0; i < 3; ++i) {
+      to.value(channel::momentum, i) += m * p[field::v][i];
+      for (int j = 0; j < 3; ++j)
+        to.moment(channel::momentum, i, j) += k.affine * m * p[field::C][3 * i + j] + force * p[field::tau][k_component[i][j]];
+    }
+  }
+
+  template <class P, class K, class S, class R>
+  BAKE_INLINE static void limits(P& p, const K& k, const S&, R& report) {
+    auto& e = report.extremes;
+    auto speed2 = p[field::v][0] * p[field::v][0], deformation2 = p[field::C][0] * p[field::C][0];
+    for (int i = 1; i < 3; ++i) speed2 += p[field::v][i] * p[field::v][i];
+    for (int i = 1; i < 9; ++i) deformation2 += p[field::C][i] * p[field::C][i];
+    e.speed2 = max(e.speed2, speed2);
+    e.deformation2 = max(e.deformation2, deformation2);
+    e.wave2 = max(e.wave2, p.stiffness * p[field::V_0] / (k.inertia * p.mass()));
+  }
+
+  /// v_i = momentum / mass, the mass being that after the step's water fluxes.
+  template <class N, class S, class B>
+  BAKE_INLINE static void update(N& node, const S&, B&) {
+    auto mass = node[channel::mass];
+    if constexpr (N::template scatters<channel::WaterChange>) mass += node.moved_water;
+    const auto inverse = mass > 0 ? 1 / mass : 0 * mass;
+    for (int i = 0; i < 3; ++i) node.out(channel::velocity, i) = node[channel::momentum][i] * inverse;
+    if constexpr (N::template scatters<channel::OldMomentum>)
+      for (int i = 0; i < 3; ++i)
+        node.out(channel::old_velocity, i) = node[channel::mass] > 0 ? node[channel::old_momentum][i] / node[channel::mass] : 0 * mass;
+  }
+
+  template <class P, class K, class S, class R>
+  static void totals(P& p, const K&, const S& step, R& report) {
+    using V = typename P::V;
+    const V m = p.mass(), affine_inertia = m / step.inverse_d;
+    const auto& C = p[field::C];
+    V position[3], momentum[3], kinetic = 0 * m;
+    for (int i = 0; i < 3; ++i) {
+      position[i] = report.origin[i] + step.dx * p[field::x][i];
+      momentum[i] = m * p[field::v][i];
+      if constexpr (P::template has<field::WaterMomentum>) momentum[i] += p[field::Q][i];
+      kinetic += momentum[i] * p[field::v][i];
+    }
+    for (int i = 0; i < 9; ++i) kinetic += affine_inertia * C[i] * C[i];
+    report.add(Total::kinetic, typename P::Real(0.5) * kinetic);
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      report.add(static_cast<Total>(static_cast<int>(Total::momentum_x) + i), momentum[i]);
+      report.add(static_cast<Total>(static_cast<int>(Total::angular_x) + i),
+                 position[j] * momentum[k] - position[k] * momentum[j] + affine_inertia * (C[3 * k + j] - C[3 * j + k]));
+    }
+  }
 };
 
 }  // namespace bake

@@ -3,6 +3,10 @@
 #pragma once
 
 #include "solver/effects/parameters.h"
+#include "solver/core/symmetric.h"
+#include "solver/effects/elasticity.h"
+#include "solver/effects/totals.h"
+#include "solver/particles/fields.h"
 #include "solver/scene/parameter.h"
 
 namespace bake {
@@ -42,6 +46,148 @@ struct Plasticity {
       };
     }
   };
+
+  using Columns = FieldList<field::PlasticVolumeRatio>;
+  using Carried = FieldList<>;
+  using Moments = FieldList<>;
+  using Values = FieldList<>;
+  using Gathered = FieldList<>;
+
+  template <class Real>
+  struct Constants {
+    Real bulk, mu, n_0;
+    Real theta[4], tau_y[4], eta[4];
+    Real tau_y_slope[3], eta_slope[3];  ///< of the three pieces of fig. 8
+    bool quadratic, published_porosity;
+    template <class Scene, class Substance>
+    Constants(const Scene& scene, const Substance& substance) : n_0(static_cast<Real>(substance.initial_porosity)) {
+      const Elasticity::Constants<Real> elastic(scene, substance);
+      bulk = elastic.bulk;
+      mu = elastic.mu;
+      const auto& m = std::get<Material>(substance.effects);
+      for (int i = 0; i < 4; ++i) {
+        theta[i] = static_cast<Real>(m.temperatures_C[i]);
+        tau_y[i] = static_cast<Real>(m.yield_stress_Pa[i]);
+        eta[i] = static_cast<Real>(m.viscosity_Pa_s[i]);
+      }
+      for (int i = 0; i < 3; ++i) {
+        tau_y_slope[i] = (tau_y[i + 1] - tau_y[i]) / (theta[i + 1] - theta[i]);
+        eta_slope[i] = (eta[i + 1] - eta[i]) / (theta[i + 1] - theta[i]);
+      }
+      const auto& settings = std::get<Settings>(scene.settings);
+      quadratic = settings.norm == Norm::quadratic;
+      published_porosity = settings.porosity_form == Form::published;
+    }
+  };
+
+  template <class P>
+  static void fill(P& p, int lane) {
+    p[field::J_P][lane] = 1;
+  }
+
+  /// Yield stress and viscosity of fig. 8: piecewise linear, flat outside; past theta_4 they stay at their last values
+  /// whatever the temperature does later, since gelatinisation is not undone. [Ding19 Sec. 5.3.2]
+  template <class V, class K>
+  BAKE_INLINE static void curves(V theta, V theta_peak, const K& k, V& tau_y, V& eta) {
+    using Real = std::decay_t<decltype(k.mu)>;
+    const V at = theta_peak >= k.theta[3] ? lanes<Real>(k.theta[3]) : theta;
+    tau_y = lanes<Real>(k.tau_y[0]);
+    eta = lanes<Real>(k.eta[0]);
+    for (int i = 0; i < 3; ++i) {
+      const V into = clamp(at - k.theta[i], lanes<Real>(0), lanes<Real>(k.theta[i + 1] - k.theta[i]));
+      tau_y += k.tau_y_slope[i] * into;
+      eta += k.eta_slope[i] * into;
+    }
+  }
+
+  /// a(n) = 9 / (4 ln^2(1/n) (7/2 n + 1)).   [Ding19 Eq. 12]
+  template <class V>
+  BAKE_INLINE static V cap(V n) {
+    const V ln = log(n);
+    return 9 / (4 * ln * ln * (3.5f * n + 1));
+  }
+
+  /// n = 1 - (1 - n_0) / J_P: the skeleton is incompressible.
+  /// DEPARTS [Ding19 Sec. 5.4]: the printed n = J_P - 1 + n_0 is its linearisation and passes 1 for any real loaf.
+  template <class V, class K>
+  BAKE_INLINE static V porosity(V J_P, const K& k) {
+    using Real = std::decay_t<decltype(k.mu)>;
+    const V n = k.published_porosity ? J_P - 1 + k.n_0 : 1 - (1 - k.n_0) / J_P;
+    return clamp(n, lanes<Real>(Real(1e-6)), lanes<Real>(Real(0.97)));
+  }
+
+  /// Solves the viscous return. With z = 2 Lambda the mapped state is p = p_tr / (1 + a K z), s = s_tr / (1 + 3 mu z), and
+  /// with r(z) = sqrt(a p^2 + q^2) the two laws are
+  ///     distance:   r (1 - (eta/dt) z) = tau_y        written as  tau_y / r + (eta/dt) z - 1 = 0
+  ///     quadratic:  r^2 = tau_y^2 + (eta/dt) z / 2    written as  1 / r - (tau_y^2 + (eta/dt) z / 2)^(-1/2) = 0
+  /// 1/r is a power mean of linear functions with exponent -2, hence concave, and so are both left sides: Newton from
+  /// below never overshoots and needs no bracket. Returns z; lanes that are not `flowing` keep 0.
+  template <class V, class Mask, class Real>
+  BAKE_INLINE static V solve(V ap2, V q2, V aK, Real mu3, V tau_y, V eta_dt, Mask flowing, bool quadratic) {
+    constexpr Real k_tiny = sizeof(Real) == 4 ? Real(1e-18) : Real(1e-100);
+    constexpr Real k_close = sizeof(Real) == 4 ? Real(3e-4) : Real(1e-8);  // of a step; convergence is quadratic
+    constexpr int k_most = sizeof(Real) == 4 ? 40 : 60;
+    V z = lanes<Real>(0);
+    if (quadratic) {  // a lower bound to start from: one Newton step on the convex r^2 - tau_y^2 - (eta/dt) z / 2
+      const V slope = 2 * (ap2 * aK + q2 * mu3) + Real(0.5) * eta_dt + k_tiny;
+      z = flowing ? (ap2 + q2 - tau_y * tau_y) / slope : z;
+    }
+    const V z_most = lanes<Real>(Real(1e12) / mu3);
+    Mask active = flowing;
+    for (int iteration = 0; iteration < k_most; ++iteration) {
+      const V pa = 1 / (1 + aK * z), qa = 1 / (1 + mu3 * z);
+      const V A = ap2 * pa * pa, B = q2 * qa * qa;
+      const V r2 = A + B + k_tiny, r = sqrt(r2);
+      const V bend = (A * pa * aK + B * qa * mu3) / r2;  // -d(ln r)/dz
+      V g, slope;
+      if (quadratic) {
+        const V R = tau_y * tau_y + Real(0.5) * eta_dt * z + k_tiny, root = sqrt(R);
+        g = root / r - 1;  // scaled by the root of R
+        slope = bend * root / r + Real(0.25) * eta_dt / R;
+      } else {
+        g = tau_y / r + eta_dt * z - 1;
+        slope = bend * tau_y / r + eta_dt;
+      }
+      const V next = min(max(z - g / (slope + k_tiny), z), z_most);
+      const V moved = next - z;
+      z = active ? next : z;
+      active = active & (moved > k_close * next);
+      if (!any(active)) break;
+    }
+    return z;
+  }
+
+  /// Return mapping of the trial state on tau_E only (Terzaghi).   [Ding19 Eq. 11-12, Sec. 6.5]
+  template <class P, class From, class K, class S, class R>
+  BAKE_INLINE static void gather(P& p, const From&, const K& k, const S& step, R& report) {
+    using V = typename P::V;
+    using Real = typename P::Real;
+    const auto& e = p[field::epsilon];
+    const V tr = e[0] + e[1] + e[2], mean = tr * Real(1. / 3);
+    Symmetric<V> d;
+    for (int i = 0; i < 6; ++i) d.at[i] = i < 3 ? e[i] - mean : e[i];
+    const V p_tr = -k.bulk * tr, shear2 = norm_squared(d), q2 = (6 * k.mu * k.mu) * shear2;
+    V tau_y, eta;
+    curves<V>(p.temperature(), p.peak_temperature(), k, tau_y, eta);
+    const V a = cap<V>(porosity<V>(p[field::J_P], k));
+    const V ap2 = a * p_tr * p_tr;
+    const auto flowing = ap2 + q2 > tau_y * tau_y;
+    if (!any(flowing)) return;
+
+    const V z = solve<V>(ap2, q2, a * k.bulk, 3 * k.mu, tau_y, eta * (1 / step.dt), flowing, k.quadratic);
+    const V pa = 1 / (1 + a * k.bulk * z), qa = 1 / (1 + 3 * k.mu * z);
+    const V tr_new = tr * pa;
+    p[field::J_P] = flowing ? p[field::J_P] * exp(tr - tr_new) : p[field::J_P];
+    Symmetric<V> mapped;
+    for (int i = 0; i < 6; ++i) mapped.at[i] = d.at[i] * qa + (i < 3 ? tr_new * Real(1. / 3) : 0 * tr);
+    const auto b = expm1_twice<Real>(mapped);
+    for (int i = 0; i < 6; ++i) {  // elastic lanes keep their trial state untouched: exp(log) would cost digits
+      p[field::epsilon][i] = flowing ? mapped.at[i] : e[i];
+      p[field::b_E][i] = flowing ? b.at[i] : p[field::b_E][i];
+    }
+    // tau_new : (eps_tr - eps_new), never negative
+    report.book(Entry::dissipated, p[field::V_0] * (k.bulk * tr_new * (tr - tr_new) + 2 * k.mu * qa * (1 - qa) * shear2));
+  }
 };
 
 }  // namespace bake

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "solver/effects/parameters.h"
+#include "solver/effects/totals.h"
+#include "solver/particles/fields.h"
 #include "solver/scene/parameter.h"
 
 namespace bake {
@@ -39,6 +41,117 @@ struct Water {
       };
     }
   };
+
+  using Columns = FieldList<field::WaterMass, field::ScatteredWaterMomentum>;
+  using Carried = FieldList<field::WaterFlux, field::WaterMomentum>;
+  using Moments = FieldList<channel::WaterChange>;
+  using Values = FieldList<channel::WaterMass, channel::WaterCapacity, channel::Evaporability>;
+  using Gathered = FieldList<channel::WaterRatio, channel::Saturation>;
+
+  template <class Real>
+  struct Constants {
+    Real rho_w, K, beta_w, c_hat, s_0;
+    bool published;
+    template <class Scene, class Substance>
+    Constants(const Scene& scene, const Substance& substance) : s_0(static_cast<Real>(substance.initial_saturation)) {
+      const auto& m = std::get<Material>(substance.effects);
+      rho_w = static_cast<Real>(m.water_density_kg_per_m3);
+      K = static_cast<Real>(m.diffusivity_m2_per_sK);
+      beta_w = static_cast<Real>(m.evaporation_kg_per_m2sK);
+      c_hat = static_cast<Real>(m.pressure_Pa);
+      published = std::get<Settings>(scene.settings).form == Form::published;
+    }
+  };
+
+  /// Water does not move below 0 C.
+  /// DEPARTS [Ding19 Sec. 3.2]: printed with theta alone, which turns diffusion backwards in the freezer.
+  template <class P>
+  BAKE_INLINE static auto warmth(P& p) {
+    return max(p.temperature(), 0 * p[field::m_w]);
+  }
+
+  /// m_w += m_w sum w dm_i / m_i^w, so that particles gain what the nodes gain; s = m_w / (rho_0^w V); q by Fick's law.
+  /// [Ding19 Eq. 19, 22]
+  /// DEPARTS [Ding19 Eq. 20]: the volume is that of the new time; with the old one and the printed div v term in (25) half
+  /// of the water is gone at doubled volume.
+  template <class P, class From, class K, class S, class R>
+  BAKE_INLINE static void gather(P& p, const From& from, const K& k, const S&, R&) {
+    p[field::m_w] *= 1 + from.value(channel::water_ratio);
+    const auto flux = (-k.K) * warmth(p) * p[field::m_w] / p.volume();
+    for (int d = 0; d < 3; ++d) {
+      p[field::q][d] = flux * from.gradient(channel::saturation, 0, d);
+      p[field::Q][d] = p.volume() * p[field::q][d];
+    }
+  }
+
+  /// - J c_hat (s - s_0) I   [Ding19 Eq. 14]
+  template <class P, class K>
+  BAKE_INLINE static void stress(P& p, const K& k) {
+    if constexpr (P::template has<field::KirchhoffStress>) {
+      const auto pressure = k.c_hat * (p[field::m_w] / (k.rho_w * p[field::V_0]) - k.s_0 * p[field::J]);
+      for (int i = 0; i < 3; ++i) p[field::tau][i] -= pressure;
+      p.stiffness += (k.c_hat * k.s_0) * p[field::J];
+    }
+  }
+
+  /// Flux V D^-1 w (r . q); the momentum that it carries, V (v_w (x) q) D^-1 w r; and the change of the water's own
+  /// momentum, so that the sum of m v + V q is kept.   [Ding19 Eq. 25, 27]
+  /// DEPARTS [Ding19 Eq. 25, 27]: no div v terms: as printed they take water and bulk velocity out of a body that expands.
+  template <class P, class To, class K, class S, class R>
+  BAKE_INLINE static void scatter(P& p, To& to, const K& k, const S& step, R&) {
+    const auto moment = (step.dt_next * step.inverse_d) * p.volume();
+    to.value(channel::water_mass) += p[field::m_w];
+    to.value(channel::water_capacity) += k.rho_w * p.volume();
+    to.value(channel::evaporability) += k.beta_w * warmth(p) * p.volume();
+    for (int j = 0; j < 3; ++j) to.moment(channel::water_change, 0, j) += moment * p[field::q][j];
+    if constexpr (P::template has<field::Velocity>) {
+      const auto per_water = p.volume() / max(p[field::m_w], 0 * p[field::m_w] + std::numeric_limits<typename P::Real>::min());
+      for (int i = 0; i < 3; ++i) {
+        const auto v_w = p[field::v][i] + per_water * p[field::q][i];
+        for (int j = 0; j < 3; ++j) to.moment(channel::momentum, i, j) += moment * v_w * p[field::q][j];
+        to.value(channel::momentum, i) -= p[field::Q][i] - p[field::Q_old][i];
+      }
+      if (k.published) {
+        const auto div = step.dt_next * (p[field::C][0] + p[field::C][4] + p[field::C][8]);
+        to.value(channel::water_change) -= p[field::m_w] * div;
+        for (int i = 0; i < 3; ++i) to.value(channel::momentum, i) -= (p.mass() * p[field::v][i] + p[field::Q][i]) * div;
+      }
+    }
+    for (int i = 0; i < 3; ++i) p[field::Q_old][i] = p[field::Q][i];
+  }
+
+  template <class P, class K, class S, class R>
+  BAKE_INLINE static void limits(P& p, const K& k, const S&, R& report) {
+    report.extremes.water = max(report.extremes.water, k.K * warmth(p) * p[field::m_w] / (k.rho_w * p.volume()));
+  }
+
+  /// m_i += flux - evaporation, never below zero. Vapour leaves with the velocity of its node.
+  template <class N, class S, class B>
+  BAKE_INLINE static void update(N& node, const S& step, B& booked) {
+    const auto m = node[channel::water_mass], none = 0 * m;
+    const auto capacity = node[channel::water_capacity];
+    const auto filled = (m > 0) & (capacity > 0);
+    const auto& around = node.surroundings;
+    // beta_w theta of the node times its free area: (w V beta_w theta) / (w V) * area
+    const auto rate = node[channel::volume] > 0 ? step.dt * around.area * node[channel::evaporability] / node[channel::volume] : none;
+    const auto flux = node[channel::water_change];
+    const auto after_flux = m + flux;
+    const auto wanted = filled ? rate * (m / capacity - around.saturation) : none;
+    const auto evaporated = min(wanted, max(after_flux, none));
+    const auto kept = max(after_flux - evaporated, none);
+    book(booked, Entry::evaporated, evaporated);
+    book(booked, Entry::water_limited, filled ? kept - (after_flux - evaporated) : none);
+    const auto moved = filled ? kept - m : none;
+    node.moved_water = moved;
+    node.latent_heat = node.latent_heat_per_kg * evaporated;
+    node.out(channel::water_ratio) = filled ? moved / m : none;
+    node.out(channel::saturation) = capacity > 0 ? (m + moved) / capacity : none;
+  }
+
+  template <class P, class K, class S, class R>
+  static void totals(P& p, const K&, const S&, R& report) {
+    report.add(Total::water_mass, p[field::m_w]);
+  }
 };
 
 }  // namespace bake

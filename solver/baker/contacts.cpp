@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver/boundary/contacts.h"
+#include "solver/baker/contacts.h"
 
 #include <algorithm>
 

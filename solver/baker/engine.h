@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// The engine: one scatter, one grid update, one gather per step, with the gather of a step and the scatter of the next in one
+// pass over the particles.
+//
+// Between passes the state is: the particles' columns, the scattered grid, the time, and the step that the grid was
+// scattered for. Velocity, stress and fluxes live in registers inside the pass and are stored nowhere. That state is what a
+// checkpoint holds, so that a run can stop at any step and go on with the same bits.
+//
+// Same bits for any number of threads: a node's sums have one order (colour, column of blocks, block, tile, lane), sums over
+// blocks are added in block order, and threads only decide who does which column.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "solver/baker/implicit_heat.h"
+#include "solver/baker/time_step.h"
+#include "solver/baker/contacts.h"
+#include "solver/grid/block_kernel.h"
+#include "solver/grid/surface.h"
+#include "solver/io/checkpoint.h"
+
+namespace bake {
+
+/// A particle to be: position [m], volume [m^3], start motion.
+struct NewParticle {
+  Point x;
+  double volume;
+  std::int32_t material;
+  Vector3 velocity;
+  Vector3 spin;        ///< [rad/s]; its velocity field is already in `velocity`
+  const Body* body;    ///< start temperature, saturation, leavener
+};
+
+/// The run cannot go on: names particle, quantity and step. The last checkpoint is kept.
+class RunError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Counts since the start of the run.
+struct Counters {
+  std::int64_t steps = 0;
+  std::int64_t particle_steps = 0;
+  std::int64_t orderings = 0;
+  std::int64_t clamped = 0;   ///< times a particle was held at a face of the domain
+  std::int64_t retired = 0;   ///< particles that left through open faces
+  double retired_mass = 0;    ///< [kg]
+  double emitted_mass = 0;    ///< [kg]
+};
+
+template <class Real>
+class Engine {
+ public:
+  explicit Engine(const Scene& scene);
+
+  /// Adds particles between passes, with consecutive identities. Throws InputError if one is outside the domain.
+  void add(const std::vector<NewParticle>& particles);
+  /// A first pass without time, which finds fluxes, limits and totals, and scatters for the first step. Once, after the first
+  /// add; not after read().
+  void start(double first_target);
+  /// One step: grid update, then gather and scatter. `target` bounds the step, `next_target` the one after a step that
+  /// reaches it. If the step reaches `target`, totals (and velocities) are sampled. Throws RunError.
+  void step(double target, double next_target);
+
+  double time() const { return time_; }
+  double dt() const { return dt_; }
+  const Counters& counters() const { return counters_; }
+  const Bookings& booked() const { return booked_; }       ///< sums since the start (area: of the last step)
+  const Totals& totals() const { return totals_; }         ///< at the last sample
+  double temperature_low() const { return temperature_low_; }
+  double temperature_high() const { return temperature_high_; }
+  double largest_speed() const { return std::sqrt(extremes_.speed2); }
+  std::size_t particles() const { return particle_count_; }
+  const ParticleStore<Real>& store() const { return store_; }
+  const AlignedBuffer<Real>& velocity() const { return velocity_; }  ///< [tile][3][W] at the last sample; empty where nothing moves
+  const Physics<Real>& physics() const { return *physics_; }
+  const Lattice& lattice() const { return lattice_; }
+  int row_size() const { return kernel_->row_size(); }
+  std::size_t active_nodes() const { return active_.at.size() * k_block_nodes; }
+  std::size_t bytes() const;  ///< memory of particles and grid
+
+  void write(CheckpointWriter& out) const;
+  void read(const CheckpointReader& in);
+
+ private:
+  struct ColourColumns {
+    BlockColumns columns[4];  ///< blocks of columns of one colour never touch the same node
+  };
+
+  Step<Real> current_step() const;
+  BlockWork<Real> work(const Step<Real>& step);
+  void update_grid();
+  void load_surroundings(std::size_t slot, int first, bool at_grip, Surroundings<Real>& around) const;
+  void touch_contacts(std::size_t slot, const Real* mass, Real* rows, Bookings& booked) const;
+  void pass(double next_dt, bool sample);
+  void settle(std::vector<Escape<Real>>& escapes);
+  void after_ordering();
+  void rehome_grid(const ActiveBlocks& before);
+  void reduce(const std::vector<BlockResult<Real>>& results);
+  void scatter_new(const ParticleStore<Real>& fresh, const std::vector<Real>& start);
+  double next_step(double from, double target, double next_target);
+  [[noreturn]] void report_broken(const Escape<Real>& escape) const;
+  std::int32_t home_of(const BlockIndex& block) const;
+
+  const Scene& scene_;
+  Lattice lattice_;
+  std::unique_ptr<Physics<Real>> physics_;
+  std::unique_ptr<BlockKernel<Real>> kernel_;
+  Contacts contacts_;
+  FreeSurfaceMeasure<Real> surface_;
+  StepLimits limits_;
+
+  ParticleStore<Real> store_, spare_;
+  AlignedBuffer<Real> grid_, other_;  ///< scattered rows; the other receives the next scatter
+  ActiveBlocks active_;
+  ColourColumns colours_;
+  AlignedBuffer<Real> velocity_;
+  std::vector<Scratch<Real>> scratch_;
+  ImplicitHeat<Real> implicit_heat_;
+  std::vector<Real> heat_weight_;  ///< of the nodes, for backward Euler
+
+  double time_ = 0, dt_ = 0;
+  std::int64_t next_identity_ = 0;
+  std::size_t particle_count_ = 0;
+  bool has_surface_ = false;
+  Maxima extremes_;
+  Counters counters_;
+  Bookings booked_{};
+  Totals totals_{};
+  double temperature_low_ = 0, temperature_high_ = 0;
+};
+
+extern template class Engine<float>;
+extern template class Engine<double>;
+
+}  // namespace bake

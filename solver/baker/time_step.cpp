@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "solver/baker/time_step.h"
+
+#include "solver/boundary/vector3.h"
+
+namespace bake {
+
+StepLimits::StepLimits(const Scene& scene)
+    : settings_(scene.time), dx_(scene.dx()), gravity_(scene.lists("motion") ? length(scene.of<Motion>().gravity_m_per_s2) : 0) {}
+
+StepLimit StepLimits::largest(const Maxima& m, double contact_speed) const {
+  StepLimit best{settings_.largest_step_s, "time.largest_step_s"};
+  const auto consider = [&](double dt, const char* reason) {
+    if (dt < best.dt) best = {dt, reason};
+  };
+  const double safety = settings_.safety;
+  // A wave crosses one cell: the highest frequency of the lumped B-spline grid is below 2 c / dx, explicit integration
+  // holds for dt < 2 / frequency.
+  if (m.wave2 > 0) consider(safety * dx_ / std::sqrt(m.wave2), "stiffness (elastic, pore gas and water)");
+  // Forward Euler in three dimensions: the lumped operator's largest eigenvalue is below 12 D / dx^2 (finite differences;
+  // B-splines are softer), dt < 2 / eigenvalue.
+  if (m.heat > 0) consider(safety * dx_ * dx_ / (6 * m.heat), "heat conduction");
+  if (m.water > 0) consider(safety * dx_ * dx_ / (6 * m.water), "water diffusion");
+  // |dt C| below 1/2 keeps I + dt C far from singular.
+  if (m.deformation2 > 0) consider(0.5 / std::sqrt(m.deformation2), "rate of deformation");
+  const double speed = std::max(std::sqrt(m.speed2), contact_speed);
+  if (speed > 0) consider(settings_.cfl * dx_ / speed, "particle travel (time.cfl)");
+  if (gravity_ > 0) consider(std::sqrt(settings_.cfl * dx_ / gravity_), "gravity (time.cfl)");
+  return best;
+}
+
+}  // namespace bake

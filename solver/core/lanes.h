@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// Lanes: a pack of W numbers, one register wide, on which all particle and node physics is written.
+//
+// `Lanes<Real>` is a GCC/clang vector: + - * / and comparisons work lane by lane, and `mask ? a : b` selects. The
+// width follows the target: vectors wider than the machine's registers would be lowered to scalars where they are
+// shuffled (measured: 18 times slower).
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+
+#if defined(__AVX512DQ__)
+#include <immintrin.h>
+#endif
+
+#define BAKE_INLINE inline __attribute__((always_inline))
+
+namespace bake {
+
+#if defined(__AVX512F__)
+inline constexpr int k_register_bytes = 64;
+#elif defined(__AVX__)
+inline constexpr int k_register_bytes = 32;
+#else
+inline constexpr int k_register_bytes = 16;
+#endif
+
+template <class Real>
+struct LaneTraits;
+template <>
+struct LaneTraits<float> {
+  typedef float Vector __attribute__((vector_size(k_register_bytes)));
+  typedef std::int32_t Mask __attribute__((vector_size(k_register_bytes)));
+};
+template <>
+struct LaneTraits<double> {
+  typedef double Vector __attribute__((vector_size(k_register_bytes)));
+  typedef std::int64_t Mask __attribute__((vector_size(k_register_bytes)));
+};
+
+template <class Real>
+using Lanes = typename LaneTraits<Real>::Vector;
+/// Lanes of integers as wide as Real; comparisons give -1 (true) or 0 (false).
+template <class Real>
+using LaneMask = typename LaneTraits<Real>::Mask;
+/// Number of lanes.
+template <class Real>
+inline constexpr int k_width = k_register_bytes / static_cast<int>(sizeof(Real));
+
+/// All lanes alike.
+template <class Real>
+BAKE_INLINE Lanes<Real> lanes(std::type_identity_t<Real> x) {
+  return x - Lanes<Real>{};
+}
+
+template <class V>
+BAKE_INLINE V max(V a, V b) {
+  return a > b ? a : b;
+}
+template <class V>
+BAKE_INLINE V min(V a, V b) {
+  return a < b ? a : b;
+}
+template <class V>
+BAKE_INLINE V abs(V a) {
+  return max(a, -a);
+}
+template <class V>
+BAKE_INLINE V clamp(V a, V low, V high) {
+  return min(max(a, low), high);
+}
+
+#define BAKE_LANE_FUNCTION(name)                                                                            \
+  template <class Real>                                                                                     \
+  BAKE_INLINE Lanes<Real> name##_lanes(Lanes<Real> a) {                                                     \
+    using Array = Eigen::Array<Real, k_width<Real>, 1>;                                                     \
+    Lanes<Real> result;                                                                                     \
+    Eigen::Map<Array, Eigen::Aligned16>(reinterpret_cast<Real*>(&result)) =                                 \
+        Eigen::Map<const Array, Eigen::Aligned16>(reinterpret_cast<const Real*>(&a)).name();                \
+    return result;                                                                                          \
+  }                                                                                                         \
+  BAKE_INLINE Lanes<float> name(Lanes<float> a) { return name##_lanes<float>(a); }                          \
+  BAKE_INLINE Lanes<double> name(Lanes<double> a) { return name##_lanes<double>(a); }
+BAKE_LANE_FUNCTION(sqrt)
+BAKE_LANE_FUNCTION(log)
+BAKE_LANE_FUNCTION(exp)
+BAKE_LANE_FUNCTION(log1p)
+BAKE_LANE_FUNCTION(expm1)
+#undef BAKE_LANE_FUNCTION
+
+/// Is any lane true?
+template <class Mask>
+BAKE_INLINE bool any(Mask mask) {
+#if defined(__AVX512DQ__)
+  if constexpr (sizeof(mask[0]) == 4)
+    return _mm512_movepi32_mask(reinterpret_cast<__m512i>(mask)) != 0;
+  else
+    return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask)) != 0;
+#else
+  auto found = mask[0];
+  for (unsigned l = 1; l < sizeof(mask) / sizeof(mask[0]); ++l) found |= mask[l];
+  return found != 0;
+#endif
+}
+
+template <class V>
+BAKE_INLINE auto largest_lane(V a) {
+  auto result = a[0];
+  for (unsigned l = 1; l < sizeof(a) / sizeof(a[0]); ++l) result = a[l] > result ? a[l] : result;
+  return result;
+}
+template <class V>
+BAKE_INLINE auto smallest_lane(V a) {
+  return -largest_lane(-a);
+}
+/// Sum of the lanes in a fixed order, in double.
+template <class V>
+BAKE_INLINE double sum_lanes(V a) {
+  double result = 0;
+  for (unsigned l = 0; l < sizeof(a) / sizeof(a[0]); ++l) result += static_cast<double>(a[l]);
+  return result;
+}
+
+namespace detail {
+// Lane l of a pair (a, b) of which a keeps the lanes without bit S and takes b's partner for the others.
+template <int S, class V, int... L>
+BAKE_INLINE V keep_low(V a, V b, std::integer_sequence<int, L...>) {
+  constexpr int W = sizeof...(L);
+  return __builtin_shufflevector(a, b, ((L & S) == 0 ? L : W + L - S)...);
+}
+template <int S, class V, int... L>
+BAKE_INLINE V keep_high(V a, V b, std::integer_sequence<int, L...>) {
+  constexpr int W = sizeof...(L);
+  return __builtin_shufflevector(a, b, ((L & S) == 0 ? L + S : W + L)...);
+}
+template <int S, class V>
+BAKE_INLINE void transpose_stage(V* rows) {
+  constexpr int W = sizeof(V) / sizeof((*rows)[0]);
+  if constexpr (S < W) {
+    using Index = std::make_integer_sequence<int, W>;
+#pragma GCC unroll 16
+    for (int i = 0; i < W; ++i)
+      if ((i & S) == 0) {
+        const V a = rows[i], b = rows[i + S];
+        rows[i] = keep_low<S>(a, b, Index{});
+        rows[i + S] = keep_high<S>(a, b, Index{});
+      }
+    transpose_stage<2 * S>(rows);
+  }
+}
+}  // namespace detail
+
+/// Transposes a W x W matrix held in W registers: a butterfly of log2 W stages.
+template <class V>
+BAKE_INLINE void transpose(V* rows) {
+  detail::transpose_stage<1>(rows);
+}
+
+}  // namespace bake

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// What FLIP needs beside the motion: the particle's own velocity is kept, and the nodes know their velocity before the step.
+#pragma once
+
+#include "solver/effects/motion.h"
+
+namespace bake {
+
+/// Added to a model when [motion] transfer = "flip"; the blend itself is in Motion::gather.
+struct FlipMemory {
+  static constexpr const char* name = "flip memory";
+  using Columns = FieldList<field::Velocity>;
+  using Carried = FieldList<>;
+  using Moments = FieldList<>;
+  using Values = FieldList<channel::OldMomentum>;
+  using Gathered = FieldList<channel::OldNodeVelocity>;
+
+  template <class Real>
+  struct Constants {
+    Real inertia;
+    template <class Scene, class Substance>
+    Constants(const Scene& scene, const Substance&)
+        : inertia(static_cast<Real>(std::get<Motion::Settings>(scene.settings).inertia_scale)) {}
+  };
+
+  template <class P, class To, class K, class S, class R>
+  BAKE_INLINE static void scatter(P& p, To& to, const K& k, const S&, R&) {
+    for (int i = 0; i < 3; ++i) to.value(channel::old_momentum, i) += k.inertia * p.mass() * p[field::v][i];
+  }
+};
+
+}  // namespace bake

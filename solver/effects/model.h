@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+// A model is a list of effects, composed at compile time: columns, channels and code of the effects that are in the list,
+// and of no others.
+//
+// An effect may define any of these static functions; the model calls those that are there, effect by effect:
+//     fill     start values of its columns
+//     gather   from the nodes to the particle, state advanced to t + dt
+//     stress   its part of the mixture's Kirchhoff stress, and its stiffness
+//     scatter  what the particle gives to the nodes
+//     limits   what bounds the step
+//     update   what happens at a node (in reverse order: water, then heat, then motion)
+//     totals   sums for the ledger
+#pragma once
+
+#include <bit>
+#include <tuple>
+
+#include "solver/effects/flip.h"
+#include "solver/effects/free_surface.h"
+#include "solver/effects/physics.h"
+
+namespace bake {
+
+/// What every particle has whatever the effects.
+struct Substance {
+  using Columns = FieldList<field::Position, field::Identity, field::InitialVolume, field::SolidMass>;
+};
+
+template <class Real, class... Effects>
+class Model final : public Physics<Real> {
+ public:
+  using typename Physics<Real>::V;
+  using Columns = Joined<Substance::Columns, typename Effects::Columns...>;
+  using Carried = Joined<typename Effects::Carried...>;
+  using Scattered = Joined<typename Effects::Moments..., typename Effects::Values...>;
+  using Gathered = Joined<typename Effects::Gathered...>;
+  static constexpr int k_moments = (0 + ... + Effects::Moments::width);
+
+  explicit Model(const Scene& scene);
+
+  void advance(V* columns, int material, const V* gathered, int gather_stride, V* scattered, int scatter_stride, V* velocity,
+               const Step<Real>& step, Report<Real>& report) const override;
+  void start(V* columns, int material, const V* velocity, const V* affine, V* scattered, int scatter_stride, const Step<Real>& step,
+             Report<Real>& report) const override;
+  void update_nodes(const V* scattered, V* gathered, V* mass, V* heat_weight, const Surroundings<Real>& around, const Step<Real>& step,
+                    Bookings& booked) const override;
+  V conductance(const V* columns, int material) const override;
+  void fill(V* columns, int lane, int material, double volume, const Body& body) const override;
+
+ private:
+  template <class Effect>
+  using ConstantsOf = typename Effect::template Constants<Real>;
+  struct Constants {
+    Real theta_0;
+    double solid_density, water_per_saturation, s_0;  ///< to fill particles
+    std::tuple<ConstantsOf<Effects>...> effects;
+  };
+
+  struct Particle;
+  struct From;
+  struct To;
+  struct Node;
+  void stress_and_scatter(Particle& p, const Constants& k, V* scattered, int stride, const Step<Real>& step, Report<Real>& report) const;
+
+  std::vector<Constants> materials_;
+  Real latent_heat_;
+  bool published_exchange_;
+};
+
+/// W particles: p[field] is a column or a carried number (one pack of lanes, or an array of them).
+template <class Scalar, class... Effects>
+struct Model<Scalar, Effects...>::Particle {
+  using Real = Scalar;
+  using V = Lanes<Scalar>;
+  V* columns;
+  const Constants& k;
+  V carried[Carried::width > 0 ? Carried::width : 1];
+  V stiffness = V{};  ///< d tau / d ln J summed over the effects [Pa]
+
+  template <class F>
+  static constexpr bool stores = Columns::template has<F>;
+  template <class F>
+  static constexpr bool has = Columns::template has<F> || Carried::template has<F>;
+
+  template <class F>
+  BAKE_INLINE auto& operator[](F) {
+    static_assert(has<F>, "no effect of this model has that field");
+    V* at = stores<F> ? columns + Columns::template offset<F> : carried + Carried::template offset<F>;
+    if constexpr (F::width == 1)
+      return *at;
+    else
+      return *reinterpret_cast<V(*)[F::width]>(at);
+  }
+  BAKE_INLINE V mass() {
+    if constexpr (has<field::WaterMass>) return (*this)[field::m_s] + (*this)[field::m_w];
+    return (*this)[field::m_s];
+  }
+  BAKE_INLINE V volume() {
+    if constexpr (has<field::VolumeRatio>) return (*this)[field::V_0] * (*this)[field::J];
+    return (*this)[field::V_0];
+  }
+  BAKE_INLINE V temperature() {
+    if constexpr (has<field::Temperature>) return (*this)[field::theta];
+    return lanes<Real>(k.theta_0);
+  }
+  BAKE_INLINE V peak_temperature() {
+    if constexpr (has<field::PeakTemperature>) return (*this)[field::theta_peak];
+    return lanes<Real>(k.theta_0);
+  }
+};
+
+template <class Real, class... Effects>
+struct Model<Real, Effects...>::From {
+  const V* gathered;
+  int stride;
+  template <class C>
+  BAKE_INLINE V value(C, int i = 0) const {
+    return gathered[Gathered::template offset<C> + i];
+  }
+  template <class C>
+  BAKE_INLINE V gradient(C, int i, int axis) const {
+    return gathered[(1 + axis) * stride + Gathered::template offset<C> + i];
+  }
+};
+
+template <class Real, class... Effects>
+struct Model<Real, Effects...>::To {
+  V values[Scattered::width];
+  V moments[k_moments > 0 ? k_moments : 1][3];  ///< coefficient of r = x_i - x_p [1/m]
+  template <class C>
+  BAKE_INLINE V& value(C, int i = 0) {
+    return values[Scattered::template offset<C> + i];
+  }
+  template <class C>
+  BAKE_INLINE V& moment(C, int i, int axis) {
+    static_assert(Scattered::template offset<C> < k_moments, "not a channel with moments");
+    return moments[Scattered::template offset<C> + i][axis];
+  }
+};
+
+/// W nodes: node[channel] is what was scattered, node.out(channel) what will be gathered.
+template <class Real, class... Effects>
+struct Model<Real, Effects...>::Node {
+  const V* scattered;
+  V* gathered;
+  const Surroundings<Real>& surroundings;
+  Real latent_heat_per_kg;
+  bool published_exchange;
+  V moved_water = V{};  ///< change of the water mass, evaporation included [kg]
+  V latent_heat = V{};  ///< taken by evaporation [J]
+  V heat_weight = V{};  ///< [J/K]
+
+  template <class C>
+  static constexpr bool scatters = Scattered::template has<C>;
+  template <class C>
+  BAKE_INLINE auto& operator[](C) const {
+    const V* at = scattered + Scattered::template offset<C>;
+    if constexpr (C::width == 1)
+      return *at;
+    else
+      return *reinterpret_cast<const V(*)[C::width]>(at);
+  }
+  template <class C>
+  BAKE_INLINE V& out(C, int i = 0) {
+    return gathered[Gathered::template offset<C> + i];
+  }
+};
+
+// Calls the expression for every effect that has such a function; `constants` are the effect's own.
+#define BAKE_FOR_EACH_EFFECT(...)                                                                             \
+  {                                                                                                           \
+    const auto one = [&]<class Effect>([[maybe_unused]] const ConstantsOf<Effect>& constants)                 \
+        __attribute__((always_inline)) {                                                                      \
+      if constexpr (requires { __VA_ARGS__; }) __VA_ARGS__;                                                   \
+    };                                                                                                        \
+    (one.template operator()<Effects>(std::get<ConstantsOf<Effects>>(k.effects)), ...);                       \
+  }
+
+template <class Real, class... Effects>
+Model<Real, Effects...>::Model(const Scene& scene) {
+  int at = 0;
+  Columns::for_each([&](auto f) {
+    this->columns.push_back({f.name, f.unit, at, f.width});
+    at += f.width;
+  });
+  this->column_count = at;
+  this->scatter_channels = Scattered::width;
+  this->moment_channels = k_moments;
+  this->gather_channels = Gathered::width;
+  this->moves = Columns::template has<field::VolumeRatio>;
+  this->has_heat = Columns::template has<field::Temperature>;
+  this->has_water = Columns::template has<field::WaterMass>;
+  this->implicit_heat = this->has_heat && scene.of<Heat>().integrator == Heat::Integrator::backward_euler;
+  if constexpr (Scattered::template has<channel::Volume>) this->volume_channel = Scattered::template offset<channel::Volume>;
+  if constexpr (Scattered::template has<channel::Mass>)
+    this->filled_channel = Scattered::template offset<channel::Mass>;
+  else
+    this->filled_channel = this->volume_channel;
+  if constexpr (Gathered::template has<channel::NodeTemperature>)
+    this->temperature_channel = Gathered::template offset<channel::NodeTemperature>;
+  latent_heat_ = static_cast<Real>(scene.of<Water>().latent_heat_J_per_kg);
+  published_exchange_ = scene.of<Heat>().exchange_form == Form::published;
+  for (const Material& m : scene.materials)
+    materials_.push_back({static_cast<Real>(m.initial_temperature_C),
+                          m.density_kg_per_m3,
+                          this->has_water ? of<Water>(m).water_density_kg_per_m3 : 0,
+                          m.initial_saturation,
+                          {ConstantsOf<Effects>(scene, m)...}});
+}
+
+template <class Real, class... Effects>
+void Model<Real, Effects...>::fill(V* columns, int lane, int material, double volume, const Body& body) const {
+  const Constants& k = materials_[static_cast<std::size_t>(material)];
+  Particle p{columns, k, {}};
+  const double theta = body.temperature_C.value_or(static_cast<double>(k.theta_0));
+  const double saturation = body.saturation.value_or(k.s_0);
+  // Density is that of the mixture at the material's own saturation: a wetter body has more water on the same solid.
+  p[field::V_0][lane] = static_cast<Real>(volume);
+  p[field::m_s][lane] = static_cast<Real>(volume * (k.solid_density - k.water_per_saturation * k.s_0));
+  if constexpr (Columns::template has<field::WaterMass>)
+    p[field::m_w][lane] = static_cast<Real>(volume * k.water_per_saturation * saturation);
+  if constexpr (Columns::template has<field::VolumeRatio>) Motion::fill(p, lane);
+  if constexpr (Columns::template has<field::PlasticVolumeRatio>) Plasticity::fill(p, lane);
+  if constexpr (Columns::template has<field::Temperature>) Heat::fill(p, lane, theta);
+  if constexpr (Columns::template has<field::Leavener>) Leavening::fill(p, lane, body.leavener);
+}
+
+template <class Real, class... Effects>
+void Model<Real, Effects...>::advance(V* columns, int material, const V* gathered, int gather_stride, V* scattered, int scatter_stride,
+                                      V* velocity, const Step<Real>& step, Report<Real>& report) const {
+  const Constants k = materials_[static_cast<std::size_t>(material)];
+  Particle p{columns, k, {}};
+  const From from{gathered, gather_stride};
+  BAKE_FOR_EACH_EFFECT(Effect::gather(p, from, constants, step, report));
+  stress_and_scatter(p, k, scattered, scatter_stride, step, report);
+  if constexpr (Particle::template has<field::Velocity>) {
+    if (velocity)
+      for (int i = 0; i < 3; ++i) velocity[i] = p[field::v][i];
+  }
+}
+
+template <class Real, class... Effects>
+void Model<Real, Effects...>::start(V* columns, int material, const V* velocity, const V* affine, V* scattered, int scatter_stride,
+                                    const Step<Real>& step, Report<Real>& report) const {
+  const Constants k = materials_[static_cast<std::size_t>(material)];
+  Particle p{columns, k, {}};
+  for (V& c : p.carried) c = V{};
+  if constexpr (Particle::template has<field::Velocity>) {
+    for (int i = 0; i < 3; ++i) p[field::v][i] = velocity[i];
+    for (int i = 0; i < 9; ++i) p[field::C][i] = affine[i];
+  }
+  stress_and_scatter(p, k, scattered, scatter_stride, step, report);
+}
+
+template <class Real, class... Effects>
+BAKE_INLINE void Model<Real, Effects...>::stress_and_scatter(Particle& p, const Constants& k, V* scattered, int stride,
+                                                             const Step<Real>& step, Report<Real>& report) const {
+  if constexpr (Particle::template has<field::KirchhoffStress>)
+    for (V& component : p[field::tau]) component = V{};
+  BAKE_FOR_EACH_EFFECT(Effect::stress(p, constants));
+  To to{};
+  BAKE_FOR_EACH_EFFECT(Effect::scatter(p, to, constants, step, report));
+  BAKE_FOR_EACH_EFFECT(Effect::limits(p, constants, step, report));
+  if (report.totals_wanted) {
+    report.add(Total::solid_mass, p[field::m_s]);
+    report.add(Total::volume, p.volume());
+    BAKE_FOR_EACH_EFFECT(Effect::totals(p, constants, step, report));
+  }
+  for (int c = 0; c < Scattered::width; ++c) scattered[c] = to.values[c];
+  for (int axis = 0; axis < 3; ++axis)
+    for (int c = 0; c < k_moments; ++c) scattered[(1 + axis) * stride + c] = step.dx * to.moments[c][axis];
+}
+
+template <class Real, class... Effects>
+void Model<Real, Effects...>::update_nodes(const V* scattered, V* gathered, V* mass, V* heat_weight, const Surroundings<Real>& around,
+                                           const Step<Real>& step, Bookings& booked) const {
+  Node node{scattered, gathered, around, latent_heat_, published_exchange_};
+  const auto one = [&]<class Effect>() {
+    if constexpr (requires { Effect::update(node, step, booked); }) Effect::update(node, step, booked);
+  };
+  const auto reversed = [&]<class First, class... Rest>(const auto& self) {
+    if constexpr (sizeof...(Rest) > 0) self.template operator()<Rest...>(self);
+    one.template operator()<First>();
+  };
+  reversed.template operator()<Effects...>(reversed);
+  if constexpr (Scattered::template has<channel::Mass>) *mass = node[channel::mass];
+  *heat_weight = node.heat_weight;
+}
+
+template <class Real, class... Effects>
+typename Model<Real, Effects...>::V Model<Real, Effects...>::conductance(const V* columns, int material) const {
+  if constexpr (Columns::template has<field::Temperature>) {
+    const Constants& k = materials_[static_cast<std::size_t>(material)];
+    Particle p{const_cast<V*>(columns), k, {}};
+    return std::get<ConstantsOf<Heat>>(k.effects).kappa * p.volume();
+  }
+  return V{};
+}
+
+#undef BAKE_FOR_EACH_EFFECT
+
+}  // namespace bake

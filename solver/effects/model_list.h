@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The combinations of effects that are compiled, each for single and double precision. A scene gets the one that has just the
+// effects it lists. To add one, add a line; each line becomes a file of its own in the build (BAKE_MODELS in CMakeLists.txt).
+#pragma once
+
+#include <memory>
+#include <tuple>
+
+#include "solver/effects/elasticity.h"
+#include "solver/effects/flip.h"
+#include "solver/effects/free_surface.h"
+#include "solver/effects/heat.h"
+#include "solver/effects/leavening.h"
+#include "solver/effects/motion.h"
+#include "solver/effects/physics.h"
+#include "solver/effects/plasticity.h"
+#include "solver/effects/water.h"
+
+namespace bake {
+
+template <class... Effects>
+struct Composition {};
+
+using Compositions = std::tuple<
+    // nothing moves
+    Composition<FreeSurface, Heat>,                                                                      //
+    Composition<FreeSurface, Water>,                                                                     //
+    Composition<FreeSurface, Heat, Water>,                                                               //
+    // elastic
+    Composition<Motion, Elasticity>,                                                                     //
+    Composition<Motion, FreeSurface, Heat, Elasticity>,                                                  //
+    Composition<Motion, FreeSurface, Water, Elasticity>,                                                 //
+    Composition<Motion, FreeSurface, Heat, Water, Elasticity>,                                           //
+    // dough
+    Composition<Motion, Elasticity, Plasticity>,                                                         //
+    Composition<Motion, FreeSurface, Heat, Elasticity, Plasticity>,                                      //
+    Composition<Motion, FreeSurface, Water, Elasticity, Plasticity>,                                     //
+    Composition<Motion, FreeSurface, Heat, Water, Elasticity, Plasticity>,                               //
+    Composition<Motion, FreeSurface, Heat, Elasticity, Plasticity, Leavening>,                           //
+    Composition<Motion, FreeSurface, Heat, Water, Elasticity, Plasticity, Leavening>,                    //
+    // with FLIP, for studies of transfers
+    Composition<Motion, FlipMemory, Elasticity>,                                                         //
+    Composition<Motion, FlipMemory, Elasticity, Plasticity>,                                             //
+    Composition<Motion, FlipMemory, FreeSurface, Heat, Water, Elasticity, Plasticity, Leavening>>;
+inline constexpr int k_compositions = std::tuple_size_v<Compositions>;
+
+/// Makes composition number `index`; each is compiled in a file of its own.
+template <class Real, int index>
+std::unique_ptr<Physics<Real>> make_composition(const Scene& scene);
+
+}  // namespace bake

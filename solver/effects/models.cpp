@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <utility>
+
+#include "solver/effects/model_list.h"
+
+namespace bake {
+
+namespace {
+
+static_assert(k_compositions == BAKE_MODELS, "BAKE_MODELS in solver/CMakeLists.txt must be the length of Compositions");
+
+/// Has the composition exactly the effects that the scene lists? What is no effect of its own follows from the scene.
+template <class... Effects>
+bool fits(Composition<Effects...>, const Scene& scene) {
+  std::size_t found = 0;
+  const auto one = [&](std::string_view name) {
+    if (name == FreeSurface::name) return true;
+    if (name == FlipMemory::name) return scene.of<Motion>().transfer == Motion::Transfer::flip;
+    ++found;
+    return scene.lists(name);
+  };
+  const bool flip = scene.lists(Motion::name) && scene.of<Motion>().transfer == Motion::Transfer::flip;
+  const bool remembers = (std::is_same_v<Effects, FlipMemory> || ...);
+  return (one(Effects::name) && ...) && found == scene.effects.size() && flip == remembers;
+}
+
+template <class Real, int... I>
+std::unique_ptr<Physics<Real>> find(const Scene& scene, std::integer_sequence<int, I...>) {
+  std::unique_ptr<Physics<Real>> made;
+  (void)((fits(std::tuple_element_t<I, Compositions>{}, scene) && (made = make_composition<Real, I>(scene), true)) || ...);
+  return made;
+}
+
+template <class... Effects>
+std::string words(Composition<Effects...>) {
+  std::string text;
+  const auto one = [&](std::string_view name) {
+    if (name != FreeSurface::name) text += (text.empty() ? "" : "+") + std::string(name == FlipMemory::name ? "flip" : name);
+  };
+  (one(Effects::name), ...);
+  return text;
+}
+
+}  // namespace
+
+template <class Real>
+std::unique_ptr<Physics<Real>> make_physics(const Scene& scene) {
+  auto made = find<Real>(scene, std::make_integer_sequence<int, k_compositions>{});
+  if (made) return made;
+  std::string listed, known;
+  for (const std::string& name : scene.effects) listed += (listed.empty() ? "" : "+") + name;
+  std::apply([&](auto... c) { ((known += (known.empty() ? "" : ", ") + words(c)), ...); }, Compositions{});
+  const bool flip = scene.lists(Motion::name) && scene.of<Motion>().transfer == Motion::Transfer::flip;
+  throw InputError(scene.file.string() + ": effects: found " + (listed.empty() ? "none" : listed) + (flip ? " with transfer = \"flip\"" : "") +
+                   ", allowed: " + known);
+}
+
+template std::unique_ptr<Physics<float>> make_physics(const Scene&);
+template std::unique_ptr<Physics<double>> make_physics(const Scene&);
+
+}  // namespace bake

@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: MIT
+// How one block's transfers are done fast.
+//
+// A block's 8x8x8 nodes (-1..6 of the block) are copied into a tile in the first-level cache, particles are taken W at a
+// time, and what they scatter is summed in a second tile that is added to the grid at the end. Particles may drift one
+// node distance out of their block and still find their stencil in the tile.
+//
+// Gather, one particle at a time, register = one node row: sums along z, then y, then x carry the value and the three
+// derivatives together. The result is transposed so that the physics sees lanes of particles.
+// Scatter, one particle at a time: with a' the value at the reference node and B the coefficients of the node offsets, node
+// (j, k, l) receives w_j w_k w_l (a' + j B_x + k B_y + l B_z).
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+
+#include "solver/grid/block_kernel.h"
+#include "solver/grid/kernel.h"
+
+namespace bake {
+
+/// R numbers in registers: one of R, or several of the machine's own width.
+template <class Real, int R>
+struct Row {
+  static constexpr int k_chunk = R < k_width<Real> ? R : k_width<Real>;
+  static constexpr int k_chunks = R / k_chunk;
+  typedef Real Chunk __attribute__((vector_size(k_chunk * sizeof(Real)), may_alias));
+  Chunk at[k_chunks];
+
+  BAKE_INLINE static Row load(const Real* p) {
+    Row r;
+#pragma GCC unroll 8
+    for (int c = 0; c < k_chunks; ++c) r.at[c] = reinterpret_cast<const Chunk*>(p)[c];
+    return r;
+  }
+  BAKE_INLINE void store(Real* p) const {
+#pragma GCC unroll 8
+    for (int c = 0; c < k_chunks; ++c) reinterpret_cast<Chunk*>(p)[c] = at[c];
+  }
+  BAKE_INLINE static Row zero() {
+    Row r;
+#pragma GCC unroll 8
+    for (int c = 0; c < k_chunks; ++c) r.at[c] = Chunk{};
+    return r;
+  }
+  /// *this += a * s
+  BAKE_INLINE void add(const Row& a, Real s) {
+#pragma GCC unroll 8
+    for (int c = 0; c < k_chunks; ++c) at[c] += a.at[c] * s;
+  }
+  BAKE_INLINE Row operator*(Real s) const {
+    Row r;
+#pragma GCC unroll 8
+    for (int c = 0; c < k_chunks; ++c) r.at[c] = at[c] * s;
+    return r;
+  }
+};
+
+template <class Real, KernelOrder order, int RS, int RG>
+class BlockKernelOf final : public BlockKernel<Real> {
+  using V = Lanes<Real>;
+  using S = Stencil<Real, order>;
+  static constexpr int W = k_width<Real>;
+  static constexpr int N = Kernel<order>::support;
+
+  /// Stencil of W particles in memory, lane by lane.
+  struct Weights {
+    alignas(64) Real w[3][N][W];
+    alignas(64) Real g[3][N][W];             ///< D^-1 w r: the gradient [1/m]
+    alignas(64) std::int32_t node[W];        ///< where the first node's row starts in the tile
+
+    /// `row`: numbers per row of the tile.
+    BAKE_INLINE Weights(const S& s, Real per_dx, int row) {
+      const Real scale = Kernel<order>::inverse_d * per_dx;
+      for (int d = 0; d < 3; ++d)
+        for (int j = 0; j < N; ++j) {
+          *reinterpret_cast<V*>(w[d][j]) = s.weight[d][j];
+          *reinterpret_cast<V*>(g[d][j]) = s.weight[d][j] * (Real(j - 1) - s.offset[d]) * scale;
+        }
+      const V first = (((s.base[0] + 1) * Real(k_tile_side) + (s.base[1] + 1)) * Real(k_tile_side) + (s.base[2] + 1)) * Real(row);
+      const auto whole = __builtin_convertvector(first, LaneMask<Real>);
+      for (int l = 0; l < W; ++l) node[l] = static_cast<std::int32_t>(whole[l]);
+    }
+  };
+
+ public:
+  int row_size() const override { return RS; }
+
+  void advance(const BlockWork<Real>& work, int index, Scratch<Real>& scratch, BlockResult<Real>& result, bool totals) const override {
+    HomeBlock& block = work.store->blocks[static_cast<std::size_t>(index)];
+    prepare(scratch);
+    load_tile(work.gathered, block, scratch.gather_tile.data());
+    Report<Real> report;
+    report.totals_wanted = totals;
+    const int corner[3] = {4 * block.at.x, 4 * block.at.y, 4 * block.at.z};
+    for (int d = 0; d < 3; ++d) report.origin[d] = work.origin[d] + work.step.dx * Real(corner[d]);
+    alignas(64) V gathered[4 * RG], scattered[4 * RS] = {};
+    Touched touched;
+    for (int t = block.first_tile; t < block.first_tile + block.tiles; ++t) {
+      const auto at = static_cast<std::size_t>(t);
+      const int count = work.store->tiles[at].count;
+      for (int l = 0; l < W; ++l) report.alive[l] = l < count;
+      V* columns = work.store->tile(at);
+      V x[3];
+      load_position(columns, x);
+      Weights weights(S(x), 1 / work.step.dx, RG);
+      gather(scratch.gather_tile.data(), weights, gathered);
+      V* velocity = work.velocity ? reinterpret_cast<V*>(work.velocity) + at * 3 : nullptr;
+      work.physics->advance(columns, work.store->tiles[at].material, gathered, RG, scattered, RS, velocity, work.step, report);
+
+      load_position(columns, x);
+      LaneMask<Real> gone = LaneMask<Real>{};
+      if (block.at_face) gone = hold_inside(work, corner, x, columns, count, result);
+      const S stencil(x);
+      const LaneMask<Real> broken = not_finite(columns, work.physics->column_count);
+      const LaneMask<Real> outside = stencil.outside() | gone | broken;
+      touched.add(stencil, outside);
+      alignas(64) Real rows[W * 4 * RS];
+      coefficients_to_rows(stencil, scattered, work.physics->moment_channels, rows);
+      weights = Weights(stencil, 1, RS);
+      scatter(weights, rows, outside, count, scratch.scatter_tile.data());
+      if (__builtin_expect(any(outside), 0))
+        for (int l = 0; l < count; ++l)
+          if (outside[l])
+            result.escapes.push_back({index, t, l, gone[l] != 0, broken[l] != 0, std::vector<Real>(rows + l * 4 * RS, rows + (l + 1) * 4 * RS)});
+    }
+    touched.write(block);
+    flush(work.scattered, block, scratch.scatter_tile.data());
+    collect(report, result);
+  }
+
+  void to_rows(const Physics<Real>& physics, const V (&x)[3], V* scattered, Real* rows) const override {
+    coefficients_to_rows(S(x), scattered, physics.moment_channels, rows);
+  }
+
+  void scatter_rows(const BlockWork<Real>& work, int index, const Real (&x)[3], const Real* rows) const override {
+    const HomeBlock& block = work.store->blocks[static_cast<std::size_t>(index)];
+    const V lanes_x[3] = {lanes<Real>(x[0]), lanes<Real>(x[1]), lanes<Real>(x[2])};
+    const S s(lanes_x);
+    for (int j = 0; j < N; ++j)
+      for (int k = 0; k < N; ++k)
+        for (int l = 0; l < N; ++l) {
+          const int at[3] = {static_cast<int>(s.base[0][0]) + j, static_cast<int>(s.base[1][0]) + k, static_cast<int>(s.base[2][0]) + l};
+          const Real w = s.weight[0][j][0] * s.weight[1][k][0] * s.weight[2][l][0];
+          Real* node = work.scattered + grid_row(block, at[0], at[1], at[2]) * RS;
+          for (int c = 0; c < RS; ++c)
+            node[c] += w * (rows[c] + Real(j - 1) * rows[RS + c] + Real(k - 1) * rows[2 * RS + c] + Real(l - 1) * rows[3 * RS + c]);
+        }
+  }
+
+  void conduct(const BlockWork<Real>& work, int index, Scratch<Real>& scratch) const override {
+    HomeBlock& block = work.store->blocks[static_cast<std::size_t>(index)];
+    prepare(scratch);
+    load_tile(work.gathered, block, scratch.gather_tile.data());
+    for (int t = block.first_tile; t < block.first_tile + block.tiles; ++t) {
+      const auto at = static_cast<std::size_t>(t);
+      V x[3];
+      load_position(work.store->tile(at), x);
+      const S stencil(x);
+      Weights weights(stencil, 1 / work.step.dx, RG);
+      alignas(64) V gathered[4 * RG], scattered[4 * RS] = {};
+      gather(scratch.gather_tile.data(), weights, gathered);
+      const V kappa_V = work.physics->conductance(work.store->tile(at), work.store->tiles[at].material);
+      for (int axis = 0; axis < 3; ++axis)
+        scattered[(1 + axis) * RS] = kappa_V * (work.step.inverse_d * work.step.dx) * gathered[(1 + axis) * RG];
+      alignas(64) Real rows[W * 4 * RS];
+      coefficients_to_rows(stencil, scattered, 1, rows);
+      weights = Weights(stencil, 1, RS);
+      scatter(weights, rows, LaneMask<Real>{}, work.store->tiles[at].count, scratch.scatter_tile.data());
+    }
+    flush(work.scattered, block, scratch.scatter_tile.data());
+  }
+
+ private:
+  static void prepare(Scratch<Real>& scratch) {
+    if (scratch.gather_tile.size() < k_tile_nodes * RG) scratch.gather_tile.resize_and_forget(k_tile_nodes * RG);
+    if (scratch.scatter_tile.size() < k_tile_nodes * RS) scratch.scatter_tile.resize_and_forget(k_tile_nodes * RS);
+  }
+
+  BAKE_INLINE static void load_position(const V* columns, V (&x)[3]) {
+    for (int d = 0; d < 3; ++d) x[d] = columns[k_position_column + d];
+  }
+
+  /// Row number of a block's node, coordinates -4..7 around the block.
+  static std::size_t grid_row(const HomeBlock& block, int x, int y, int z) {
+    x += 4, y += 4, z += 4;
+    const int slot = block.neighbour[(x >> 2) * 9 + (y >> 2) * 3 + (z >> 2)];
+    return static_cast<std::size_t>(slot) * k_block_nodes + node_in_block(x & 3, y & 3, z & 3);
+  }
+
+  /// Calls visit(tile row, grid row, count) for runs of nodes along z in the touched range of a block.
+  template <class Visit>
+  BAKE_INLINE static void for_each_run(const HomeBlock& block, Visit visit) {
+    for (int x = block.low[0]; x <= block.high[0]; ++x)
+      for (int y = block.low[1]; y <= block.high[1]; ++y) {
+        const std::size_t tile_row = static_cast<std::size_t>((x * k_tile_side + y) * k_tile_side);
+        const auto grid = [&](int z) { return grid_row(block, x - 1, y - 1, z - 1); };
+        if (block.low[2] == 0) visit(tile_row, grid(0), 1);
+        visit(tile_row + 1, grid(1), 4);
+        visit(tile_row + 5, grid(5), block.high[2] - 4);
+      }
+  }
+
+  static void load_tile(const Real* grid, const HomeBlock& block, Real* tile) {
+    for_each_run(block, [&](std::size_t tile_row, std::size_t grid_row, int count) {
+      for (int i = 0; i < count; ++i) Row<Real, RG>::load(grid + (grid_row + i) * RS).store(tile + (tile_row + i) * RG);
+    });
+  }
+
+  /// Adds the tile to the grid and clears it.
+  static void flush(Real* grid, const HomeBlock& block, Real* tile) {
+    using R = Row<Real, RS>;
+    for_each_run(block, [&](std::size_t tile_row, std::size_t grid_row, int count) {
+      for (int i = 0; i < count; ++i) {
+        R sum = R::load(grid + (grid_row + i) * RS);
+        sum.add(R::load(tile + (tile_row + i) * RS), 1);
+        sum.store(grid + (grid_row + i) * RS);
+        R::zero().store(tile + (tile_row + i) * RS);
+      }
+    });
+  }
+
+  BAKE_INLINE static void gather(const Real* tile, const Weights& weights, V* gathered) {
+    using R = Row<Real, RG>;
+    alignas(64) Real rows[W][4 * RG];
+    for (int p = 0; p < W; ++p) {
+      const Real* first = tile + weights.node[p];
+      R value = R::zero(), gx = value, gy = value, gz = value;
+#pragma GCC unroll 4
+      for (int j = 0; j < N; ++j) {
+        R value_j = R::zero(), gy_j = value_j, gz_j = value_j;
+#pragma GCC unroll 4
+        for (int k = 0; k < N; ++k) {
+          const Real* node = first + (j * k_tile_side + k) * k_tile_side * RG;
+          R a = R::zero(), g = a;
+#pragma GCC unroll 4
+          for (int l = 0; l < N; ++l) {
+            const R n = R::load(node + l * RG);
+            a.add(n, weights.w[2][l][p]);
+            g.add(n, weights.g[2][l][p]);
+          }
+          value_j.add(a, weights.w[1][k][p]);
+          gy_j.add(a, weights.g[1][k][p]);
+          gz_j.add(g, weights.w[1][k][p]);
+        }
+        value.add(value_j, weights.w[0][j][p]);
+        gx.add(value_j, weights.g[0][j][p]);
+        gy.add(gy_j, weights.w[0][j][p]);
+        gz.add(gz_j, weights.w[0][j][p]);
+      }
+      value.store(rows[p]);
+      gx.store(rows[p] + RG);
+      gy.store(rows[p] + 2 * RG);
+      gz.store(rows[p] + 3 * RG);
+    }
+    for (int c = 0; c < 4 * RG; c += W) {
+      V square[W];
+      for (int p = 0; p < W; ++p) square[p] = *reinterpret_cast<const V*>(&rows[p][c]);
+      transpose(square);
+      for (int l = 0; l < W && c + l < 4 * RG; ++l) gathered[c + l] = square[l];
+    }
+  }
+
+  /// From lanes of coefficients about the particles to one set of four rows per particle, about the reference node.
+  BAKE_INLINE static void coefficients_to_rows(const S& s, V* coefficients, int moments, Real* rows) {
+    for (int c = 0; c < moments; ++c)
+      for (int axis = 0; axis < 3; ++axis) coefficients[c] -= coefficients[(1 + axis) * RS + c] * s.offset[axis];
+    for (int c = 0; c < 4 * RS; c += W) {
+      V square[W];
+      for (int l = 0; l < W; ++l) square[l] = coefficients[c + l];
+      transpose(square);
+      for (int p = 0; p < W; ++p) *reinterpret_cast<V*>(rows + p * 4 * RS + c) = square[p];
+    }
+  }
+
+  /// Adds the particles below `count` that are not `outside` to the tile.
+  BAKE_INLINE static void scatter(const Weights& weights, const Real* rows, LaneMask<Real> outside, int count, Real* tile) {
+    using R = Row<Real, RS>;
+    for (int p = 0; p < count; ++p) {
+      if (outside[p]) continue;
+      const Real* mine = rows + p * 4 * RS;
+      Real* first = tile + weights.node[p];
+      const R a = R::load(mine), bx = R::load(mine + RS), by = R::load(mine + 2 * RS), bz = R::load(mine + 3 * RS);
+#pragma GCC unroll 4
+      for (int j = 0; j < N; ++j) {
+        R aj = a;
+        aj.add(bx, Real(j - 1));
+#pragma GCC unroll 4
+        for (int k = 0; k < N; ++k) {
+          R ajk = aj;
+          ajk.add(by, Real(k - 1));
+          const Real w = weights.w[0][j][p] * weights.w[1][k][p];
+          const R value = ajk * w, slope = bz * w;
+          Real* node = first + (j * k_tile_side + k) * k_tile_side * RS;
+#pragma GCC unroll 4
+          for (int l = 0; l < N; ++l) {
+            R sum = R::load(node + l * RS);
+            const Real wl = weights.w[2][l][p];
+            sum.add(value, wl);
+            if (l != 1) sum.add(slope, wl * Real(l - 1));
+            sum.store(node + l * RS);
+          }
+        }
+      }
+    }
+  }
+
+  /// Lanes with a number in their state that is not finite.
+  BAKE_INLINE static LaneMask<Real> not_finite(const V* columns, int count) {
+    V health = V{};
+    for (int c = 0; c < count; ++c)
+      if (c != k_identity_column) health += columns[c] * 0;
+    return health != V{};
+  }
+
+  /// The part of the tile that particles touched.
+  struct Touched {
+    V low[3], high[3];
+    Touched() {
+      for (int d = 0; d < 3; ++d) {
+        low[d] = lanes<Real>(Kernel<order>::highest_base);
+        high[d] = lanes<Real>(Kernel<order>::lowest_base);
+      }
+    }
+    BAKE_INLINE void add(const S& stencil, LaneMask<Real> outside) {
+      for (int d = 0; d < 3; ++d) {
+        low[d] = min(low[d], outside ? low[d] : stencil.base[d]);
+        high[d] = max(high[d], outside ? high[d] : stencil.base[d]);
+      }
+    }
+    void write(HomeBlock& block) const {
+      for (int d = 0; d < 3; ++d) {
+        const int first = static_cast<int>(smallest_lane(low[d])) + 1, last = static_cast<int>(largest_lane(high[d])) + N;
+        block.low[d] = static_cast<std::int8_t>(std::min(first, 1));
+        block.high[d] = static_cast<std::int8_t>(std::max(last, 5));
+      }
+    }
+  };
+
+  /// Particles never leave the domain unseen: at a closed face they are held, at an open one they are retired; both counted.
+  static LaneMask<Real> hold_inside(const BlockWork<Real>& work, const int (&corner)[3], V (&x)[3], V* columns, int count,
+                                    BlockResult<Real>& result) {
+    LaneMask<Real> gone = LaneMask<Real>{};
+    for (int d = 0; d < 3; ++d) {
+      const V low = lanes<Real>(work.low_face[d] - Real(corner[d])), high = lanes<Real>(work.high_face[d] - Real(corner[d]));
+      const LaneMask<Real> below = x[d] < low, above = x[d] > high;
+      for (int l = 0; l < count; ++l) {
+        const bool out = (below[l] && work.open_low[d]) || (above[l] && work.open_high[d]);
+        if (out) gone[l] = -1;
+        result.clamped += !out && (below[l] || above[l]);
+      }
+      x[d] = below ? low : above ? high : x[d];
+      columns[k_position_column + d] = x[d];
+    }
+    return gone;
+  }
+};
+
+}  // namespace bake

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// The grid: a box of nodes of which only the blocks around particles exist.
+//
+// Nodes are grouped in blocks of 4x4x4. A node is one row of numbers: what was scattered before the grid update, what will
+// be gathered after it, in the same place. Blocks come into being where particles are: the 27 around every home block.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "solver/particles/store.h"
+#include "solver/scene/scene.h"
+
+namespace bake {
+
+inline constexpr int k_block_nodes = 64;
+inline constexpr int k_tile_side = 8;
+inline constexpr int k_tile_nodes = 512;
+
+/// Node of a block, 0..63, from its coordinates 0..3.
+constexpr int node_in_block(int x, int y, int z) { return (x * 4 + y) * 4 + z; }
+
+/// Where blocks and nodes are in space.
+class Lattice {
+ public:
+  /// The domain's lower corner is a node, eight nodes in from the lattice's first: a stencil at a face stays inside.
+  Lattice(const DomainSettings& domain, double dx) : dx_(dx) {
+    for (int d = 0; d < 3; ++d) {
+      origin_[d] = domain.min_m[d] - k_margin * dx;
+      cells_[d] = std::max(1, static_cast<int>(std::ceil((domain.max_m[d] - domain.min_m[d]) / dx - 1e-6)));
+      blocks_[d] = (cells_[d] + 2 * k_margin) / 4 + 2;
+    }
+  }
+  static constexpr int k_margin = 8;
+
+  double dx() const { return dx_; }
+  int blocks(int axis) const { return blocks_[axis]; }
+  std::size_t block_count() const { return static_cast<std::size_t>(blocks_[0]) * blocks_[1] * blocks_[2]; }
+  std::size_t linear(const BlockIndex& b) const { return (static_cast<std::size_t>(b.x) * blocks_[1] + b.y) * blocks_[2] + b.z; }
+  BlockIndex block(std::size_t linear) const {
+    return {static_cast<int>(linear / blocks_[2] / blocks_[1]), static_cast<int>(linear / blocks_[2] % blocks_[1]),
+            static_cast<int>(linear % blocks_[2])};
+  }
+  /// First node of a block [m].
+  Point origin(const BlockIndex& b) const {
+    return {origin_[0] + 4 * b.x * dx_, origin_[1] + 4 * b.y * dx_, origin_[2] + 4 * b.z * dx_};
+  }
+  /// Position in node distances from the lattice's first node.
+  double in_nodes(double x, int axis) const { return (x - origin_[axis]) / dx_; }
+  /// The domain's faces, in node distances from the lattice's first node.
+  double low_face() const { return k_margin; }
+  double high_face(int axis) const { return k_margin + cells_[axis]; }
+
+ private:
+  double dx_;
+  Point origin_;
+  int cells_[3], blocks_[3];
+};
+
+/// Which blocks exist, and in which order they are kept.
+struct ActiveBlocks {
+  std::vector<BlockIndex> at;
+  std::vector<std::int32_t> slot_of;  ///< by linear block number; -1: not there
+
+  /// Makes the 27 blocks around every home block, in order of first use, and writes the neighbour tables.
+  void surround(std::vector<HomeBlock>& homes, const Lattice& lattice) {
+    if (slot_of.size() != lattice.block_count()) slot_of.assign(lattice.block_count(), -1);
+    for (const BlockIndex& b : at) slot_of[lattice.linear(b)] = -1;
+    at.clear();
+    for (HomeBlock& home : homes)
+      for (int i = 0; i < 27; ++i) {
+        const BlockIndex b{home.at.x + i / 9 - 1, home.at.y + i / 3 % 3 - 1, home.at.z + i % 3 - 1};
+        std::int32_t& slot = slot_of[lattice.linear(b)];
+        if (slot < 0) {
+          slot = static_cast<std::int32_t>(at.size());
+          at.push_back(b);
+        }
+        home.neighbour[i] = slot;
+      }
+  }
+  /// Slot of the block at an offset from `b`, or -1.
+  std::int32_t near(const BlockIndex& b, int dx, int dy, int dz, const Lattice& lattice) const {
+    const BlockIndex n{b.x + dx, b.y + dy, b.z + dz};
+    if (n.x < 0 || n.y < 0 || n.z < 0 || n.x >= lattice.blocks(0) || n.y >= lattice.blocks(1) || n.z >= lattice.blocks(2)) return -1;
+    return slot_of[lattice.linear(n)];
+  }
+};
+
+}  // namespace bake
