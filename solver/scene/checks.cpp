@@ -19,7 +19,7 @@ void check_material_name(const SceneEntry& entry, const std::string& name, const
   std::vector<std::string> names;
   for (const Material& material : scene.materials) {
     if (material.name == name) return;
-    names.push_back(material.name);
+    names.push_back(quotable(material.name));
   }
   complain_at(entry, "material", fmt::format("unknown material '{}', {}", quotable(name), suggestion(name, names)));
 }

@@ -195,6 +195,7 @@ TEST(SceneError, TextOfTheUserStaysOnOneLineAndShort) {
   const std::string message = error_of(replaced(k_least, "end_s = 2", "end_s = \"a\\nb" + std::string(1000, 'x') + "\""));
   EXPECT_LT(message.size(), 200u);
   error_of("\"a\\nb\" = 1\n" + k_least);
+  error_of(k_least + replaced(k_dough, "dough", "a\\nb") + "[[body]]\nmaterial = \"a b\"\n" + k_ball);
 }
 
 }  // namespace
