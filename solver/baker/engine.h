@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "solver/baker/implicit_heat.h"
+#include "solver/baker/run_error.h"
 #include "solver/baker/time_step.h"
 #include "solver/baker/contacts.h"
 #include "solver/grid/block_kernel.h"
@@ -30,12 +31,6 @@ struct NewParticle {
   Vector3 velocity;
   Vector3 spin;        ///< [rad/s]; its velocity field is already in `velocity`
   const Body* body;    ///< start temperature, saturation, leavener
-};
-
-/// The run cannot go on: names particle, quantity and step. The last checkpoint is kept.
-class RunError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
 };
 
 /// Counts since the start of the run.
