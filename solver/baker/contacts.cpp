@@ -27,20 +27,30 @@ Contacts::Contacts(const Scene& scene, const Lattice& lattice) : face_friction_(
   for (const Collider& c : scene.colliders) {
     const Rule rule = c.contact == Contact::sticky ? Rule::sticky : c.contact == Contact::slip ? Rule::slip : Rule::separating;
     const RigidPath path(c.motion, c.pivot_m);
-    all_.push_back({{c.shape, path, c.from_s, c.until_s}, rule, c.friction, c.temperature_C, c.exchange_W_per_m2K,
+    all_.push_back({{c.shape, path, c.from_s, c.until_s},
+                    rule,
+                    c.friction,
+                    c.temperature_C,
+                    c.exchange_W_per_m2K,
                     path.moves() ? path.largest_speed(c.shape->bounds()) : 0});
   }
   for (const Grip& g : scene.grips) {
     const RigidPath path(g.motion, g.pivot_m);
-    all_.push_back({{g.shape, path, g.from_s, g.until_s}, Rule::grip, 0, g.temperature_C, 0,
+    all_.push_back({{g.shape, path, g.from_s, g.until_s},
+                    Rule::grip,
+                    0,
+                    g.temperature_C,
+                    0,
                     path.moves() ? path.largest_speed(g.shape->bounds()) : 0});
     holds_temperatures_ |= g.temperature_C.has_value();
   }
-  const Face faces[6] = {scene.domain.x_min, scene.domain.x_max, scene.domain.y_min, scene.domain.y_max, scene.domain.z_min, scene.domain.z_max};
+  const Face faces[6] = {scene.domain.x_min, scene.domain.x_max, scene.domain.y_min,
+                         scene.domain.y_max, scene.domain.z_min, scene.domain.z_max};
   for (int i = 0; i < 6; ++i) {
     if (faces[i] == Face::open) continue;
     const int axis = i / 2;
-    const double at = lattice.origin({0, 0, 0})[static_cast<std::size_t>(axis)] + (i % 2 ? lattice.high_face(axis) : lattice.low_face()) * lattice.dx();
+    const double at =
+        lattice.origin({0, 0, 0})[static_cast<std::size_t>(axis)] + (i % 2 ? lattice.high_face(axis) : lattice.low_face()) * lattice.dx();
     const Rule rule = faces[i] == Face::sticky ? Rule::sticky : faces[i] == Face::slip ? Rule::slip : Rule::separating;
     faces_.push_back({axis, i % 2 ? -1.0 : 1.0, at, rule});
   }
@@ -94,10 +104,10 @@ Vector3 Contacts::velocity_after(const Point& x, Vector3 v) const {
   return v;
 }
 
-std::optional<ContactHeat> Contacts::covering(const Point& x, const Vector3& n, double reach) const {
+std::optional<ContactHeat> Contacts::covering(const Point& x, const std::optional<Vector3>& n, double reach) const {
   for (const Present& p : present_) {
     if (p.contact->rule == Rule::grip || p.contact->scripted.distance(p.pose, x) > reach) continue;
-    if (dot(p.contact->scripted.normal(p.pose, x), n) > -0.5) continue;  // the surface looks elsewhere
+    if (n && dot(p.contact->scripted.normal(p.pose, x), *n) > -0.5) continue;  // the surface looks elsewhere
     if (!p.contact->temperature) return ContactHeat{};
     return ContactHeat{p.contact->exchange, p.temperature};
   }

@@ -27,8 +27,9 @@ class Contacts {
   bool near(const BlockIndex& block, double reach) const;
   /// Applies every contact to a node: returns the velocity after contact.
   Vector3 velocity_after(const Point& x, Vector3 v) const;
-  /// Does a solid stand in front of a free surface with outward normal `n` at `x`? Its heat, zero if it gives none.
-  std::optional<ContactHeat> covering(const Point& x, const Vector3& n, double reach) const;
+  /// Does a solid stand within `reach` of a surface at `x`, in front of its outward normal `n` if that is known? Its heat, zero if
+  /// it gives none.
+  std::optional<ContactHeat> covering(const Point& x, const std::optional<Vector3>& n, double reach) const;
   /// Temperature that a grip holds at `x`, if any.
   std::optional<double> held_temperature(const Point& x) const;
   bool holds_temperatures() const { return holds_temperatures_; }

@@ -41,12 +41,21 @@ void book_gravity(const Real* mass, const Point& origin, double dx, const Vector
   if (m > 0) book_impulse(origin + (dx / m) * first, m * dv, booked);
 }
 
+/// First column of a field, -1 if the model has it not.
+template <class Real>
+int column_of(const Physics<Real>& physics, std::string_view name) {
+  for (const auto& column : physics.columns)
+    if (column.name == name) return column.first;
+  return -1;
+}
+
 /// Mass of one particle [kg].
 template <class Real>
 double particle_mass(const Physics<Real>& physics, const Lanes<Real>* columns, int lane) {
   double mass = 0;
   for (const auto& column : physics.columns)
-    if (column.name == field::SolidMass::name || column.name == field::WaterMass::name) mass += static_cast<double>(columns[column.first][lane]);
+    if (column.name == field::SolidMass::name || column.name == field::WaterMass::name)
+      mass += static_cast<double>(columns[column.first][lane]);
   return mass;
 }
 
@@ -119,8 +128,8 @@ void Engine<Real>::add(const std::vector<NewParticle>& particles) {
     for (int d = 0; d < 3; ++d) {
       const double nodes = lattice_.in_nodes(p.x[static_cast<std::size_t>(d)], d);
       if (!(nodes >= lattice_.low_face() && nodes <= lattice_.high_face(d)))
-        throw InputError(scene_.file.string() + ": domain: a particle at (" + std::to_string(p.x[0]) + ", " + std::to_string(p.x[1]) + ", " +
-                         std::to_string(p.x[2]) + ") m lies outside the domain, allowed: bodies and emitters inside it");
+        throw InputError(scene_.file.string() + ": domain: a particle at (" + std::to_string(p.x[0]) + ", " + std::to_string(p.x[1]) +
+                         ", " + std::to_string(p.x[2]) + ") m lies outside the domain, allowed: bodies and emitters inside it");
       *at[d] = static_cast<int>(nodes - 0.5) >> 2;
       x[d] = static_cast<Real>(nodes - 4 * *at[d]);
     }
@@ -418,7 +427,11 @@ void Engine<Real>::update_grid() {
   Air air;
   if (has_surface_) {
     air = {scene_.oven.exchange_W_per_m2K(time_), scene_.oven.temperature_C(time_), scene_.oven.equilibrium_saturation(time_)};
-    surface_.measure(grid_.data(), RS, physics_->volume_channel, active_, lattice_, contacts_, air);
+    if (scene_.surface.form == Form::standard)
+      surface_.measure(grid_.data(), RS, physics_->volume_channel, active_, lattice_, contacts_, air);
+    else
+      surface_.measure_published(store_, grid_.data(), RS, physics_->volume_channel, column_of(*physics_, field::VolumeRatio::name),
+                                 column_of(*physics_, field::InitialVolume::name), active_, lattice_, contacts_, air);
   }
   const Vector3 g = physics_->moves ? scene_.of<Motion>().gravity_m_per_s2 : Vector3{0, 0, 0};
   const double inertia = scene_.of<Motion>().inertia_scale;
@@ -446,7 +459,8 @@ void Engine<Real>::update_grid() {
       around.saturation = lanes<Real>(static_cast<Real>(air.saturation));
       physics_->update_nodes(in, out, &moving, &weight, around, step, booked[s]);
       if (physics_->moves) {
-        for (int d = 0; d < 3; ++d) out[d] += moving > 0 ? lanes<Real>(static_cast<Real>(dt_ * g[static_cast<std::size_t>(d)] / inertia)) : 0 * moving;
+        for (int d = 0; d < 3; ++d)
+          out[d] += moving > 0 ? lanes<Real>(static_cast<Real>(dt_ * g[static_cast<std::size_t>(d)] / inertia)) : 0 * moving;
         *reinterpret_cast<Lanes<Real>*>(mass + first) = moving;
       }
       for (int c = 0; c < physics_->gather_channels; ++c)
@@ -472,7 +486,7 @@ void Engine<Real>::update_grid() {
     const auto exchange_at = [&](std::size_t slot, int node) {
       return has_surface_ && surface_.has_surface(slot) ? surface_.at(slot).exchange[node] : Real(0);
     };
-    BlockWork<Real> w = work(step);
+    const BlockWork<Real> w = work(step);
     booked_[static_cast<std::size_t>(Entry::exchanged)] +=
         implicit_heat_.solve(*kernel_, w, colours_.columns, scratch_, heat_weight_, exchange_at, physics_->temperature_channel, dt_,
                              scene_.of<Heat>().tolerance, grid_);
@@ -534,12 +548,22 @@ void Engine<Real>::write(CheckpointWriter& out) const {
   out.add("tiles", std::span<const std::int32_t>(tiles));
   out.add("particles", std::span<const Real>(store_.data.data(), store_.data.size()));
   out.add("grid", std::span<const Real>(grid_.data(), grid_.size()));
-  const double numbers[] = {time_, dt_, extremes_.speed2, extremes_.wave2, extremes_.heat, extremes_.water, extremes_.deformation2,
-                            counters_.retired_mass, counters_.emitted_mass, temperature_low_, temperature_high_};
+  const double numbers[] = {time_,
+                            dt_,
+                            extremes_.speed2,
+                            extremes_.wave2,
+                            extremes_.heat,
+                            extremes_.water,
+                            extremes_.deformation2,
+                            counters_.retired_mass,
+                            counters_.emitted_mass,
+                            temperature_low_,
+                            temperature_high_};
   out.add("numbers", std::span<const double>(numbers));
   out.add("booked", std::span<const double>(booked_));
   out.add("totals", std::span<const double>(totals_));
-  const std::int64_t counts[] = {counters_.steps, counters_.particle_steps, counters_.orderings, counters_.clamped, counters_.retired, next_identity_};
+  const std::int64_t counts[] = {counters_.steps,   counters_.particle_steps, counters_.orderings,
+                                 counters_.clamped, counters_.retired,        next_identity_};
   out.add("counts", std::span<const std::int64_t>(counts));
 }
 
@@ -550,7 +574,8 @@ void Engine<Real>::read(const CheckpointReader& in) {
   const auto numbers = in.array<double>("numbers"), booked = in.array<double>("booked"), totals = in.array<double>("totals");
   const auto counts = in.array<std::int64_t>("counts");
   const auto expect = [](bool fits) {
-    if (!fits) throw InputError("the checkpoint's arrays do not fit this program's layout, allowed: a checkpoint written by the same version");
+    if (!fits)
+      throw InputError("the checkpoint's arrays do not fit this program's layout, allowed: a checkpoint written by the same version");
   };
   expect(blocks.size() % 12 == 0 && tiles.size() % 2 == 0 && numbers.size() == 11 && booked.size() == booked_.size() &&
          totals.size() == totals_.size() && counts.size() == 6);
@@ -563,7 +588,8 @@ void Engine<Real>::read(const CheckpointReader& in) {
     block.first_tile = b[3];
     block.tiles = b[4];
     block.at_face = b[5] != 0;
-    for (int d = 0; d < 3; ++d) block.low[d] = static_cast<std::int8_t>(b[6 + 2 * d]), block.high[d] = static_cast<std::int8_t>(b[7 + 2 * d]);
+    for (int d = 0; d < 3; ++d)
+      block.low[d] = static_cast<std::int8_t>(b[6 + 2 * d]), block.high[d] = static_cast<std::int8_t>(b[7 + 2 * d]);
     for (int d = 0; d < 3; ++d) expect(b[d] > 0 && b[d] < lattice_.blocks(d) - 1);
   }
   store_.tiles.resize(tiles.size() / 2);

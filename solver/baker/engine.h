@@ -13,10 +13,10 @@
 #include <memory>
 #include <vector>
 
+#include "solver/baker/contacts.h"
 #include "solver/baker/implicit_heat.h"
 #include "solver/baker/run_error.h"
 #include "solver/baker/time_step.h"
-#include "solver/baker/contacts.h"
 #include "solver/grid/block_kernel.h"
 #include "solver/grid/surface.h"
 #include "solver/io/checkpoint.h"
@@ -29,8 +29,8 @@ struct NewParticle {
   double volume;
   std::int32_t material;
   Vector3 velocity;
-  Vector3 spin;        ///< [rad/s]; its velocity field is already in `velocity`
-  const Body* body;    ///< start temperature, saturation, leavener
+  Vector3 spin;      ///< [rad/s]; its velocity field is already in `velocity`
+  const Body* body;  ///< start temperature, saturation, leavener
 };
 
 /// Counts since the start of the run.
@@ -38,10 +38,10 @@ struct Counters {
   std::int64_t steps = 0;
   std::int64_t particle_steps = 0;
   std::int64_t orderings = 0;
-  std::int64_t clamped = 0;   ///< times a particle was held at a face of the domain
-  std::int64_t retired = 0;   ///< particles that left through open faces
-  double retired_mass = 0;    ///< [kg]
-  double emitted_mass = 0;    ///< [kg]
+  std::int64_t clamped = 0;  ///< times a particle was held at a face of the domain
+  std::int64_t retired = 0;  ///< particles that left through open faces
+  double retired_mass = 0;   ///< [kg]
+  double emitted_mass = 0;   ///< [kg]
 };
 
 template <class Real>
@@ -61,8 +61,8 @@ class Engine {
   double time() const { return time_; }
   double dt() const { return dt_; }
   const Counters& counters() const { return counters_; }
-  const Bookings& booked() const { return booked_; }       ///< sums since the start (area: of the last step)
-  const Totals& totals() const { return totals_; }         ///< at the last sample
+  const Bookings& booked() const { return booked_; }  ///< sums since the start (area: of the last step)
+  const Totals& totals() const { return totals_; }    ///< at the last sample
   double temperature_low() const { return temperature_low_; }
   double temperature_high() const { return temperature_high_; }
   double largest_speed() const { return std::sqrt(extremes_.speed2); }

@@ -64,8 +64,7 @@ std::vector<NewParticle> fill_bodies(const Scene& scene) {
   return particles;
 }
 
-Spout::Spout(const Scene& scene, const Emitter& emitter, std::size_t number)
-    : from_(emitter.from_s), until_(emitter.until_s), body_() {
+Spout::Spout(const Scene& scene, const Emitter& emitter, std::size_t number) : from_(emitter.from_s), until_(emitter.until_s), body_() {
   body_.material = emitter.material;
   body_.temperature_C = emitter.temperature_C;
   body_.saturation = emitter.saturation;

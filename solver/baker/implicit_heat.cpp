@@ -32,8 +32,8 @@ double dot_product(const std::vector<Real>& a, const std::vector<Real>& b) {
 template <class Real>
 double ImplicitHeat<Real>::solve(const BlockKernel<Real>& kernel, BlockWork<Real> work, const BlockColumns (&colours)[4],
                                  std::vector<Scratch<Real>>& scratch, const std::vector<Real>& weight,
-                                 const std::function<Real(std::size_t, int)>& exchange, int temperature_channel, double dt, double tolerance,
-                                 AlignedBuffer<Real>& grid) {
+                                 const std::function<Real(std::size_t, int)>& exchange, int temperature_channel, double dt,
+                                 double tolerance, AlignedBuffer<Real>& grid) {
   const std::size_t n = weight.size(), row = static_cast<std::size_t>(kernel.row_size());
   in_.resize_and_forget(n * row);
   out_.resize_and_forget(n * row);
@@ -92,7 +92,8 @@ double ImplicitHeat<Real>::solve(const BlockKernel<Real>& kernel, BlockWork<Real
       Real* rows = grid.data() + i * row + temperature_channel;
       rows[0] += correction;
       rows[-1] += correction;
-      booked -= dt * static_cast<double>(exchange(i / k_block_nodes, static_cast<int>(i % k_block_nodes))) * static_cast<double>(correction);
+      booked -=
+          dt * static_cast<double>(exchange(i / k_block_nodes, static_cast<int>(i % k_block_nodes))) * static_cast<double>(correction);
     } else {
       booked += static_cast<double>(Kp_[i]);
     }

@@ -2,7 +2,8 @@
 // Backward Euler for heat conduction: (H + dt K) theta = H theta*, by conjugate gradients on the grid.
 //
 // theta* is what the explicit node update leaves (content, exchange, expansion, latent heat), H the nodes' heat per degree with
-// the exchange in it, K = sum_p V kappa D^-1 w r (D^-1 w r)^T conduction, applied by one pass over the particles. [Ding19 Sec. 6.3, gamma = 1]
+// the exchange in it, K = sum_p V kappa D^-1 w r (D^-1 w r)^T conduction, applied by one pass over the particles. [Ding19 Sec. 6.3, gamma =
+// 1]
 #pragma once
 
 #include <functional>

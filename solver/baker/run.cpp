@@ -79,22 +79,25 @@ double value(const std::vector<double>& row, std::string_view column) {
   return row[static_cast<std::size_t>(std::find(names.begin(), names.end(), column) - names.begin())];
 }
 
-std::string summary_text(const Scene& scene, const Results& results, const std::vector<double>& first, const std::vector<double>& last, double wall,
-                         std::int64_t particle_steps) {
+std::string summary_text(const Scene& scene, const Results& results, const std::vector<double>& first, const std::vector<double>& last,
+                         double wall, std::int64_t particle_steps) {
   const auto now = [&](std::string_view c) { return value(last, c); };
-  std::string text = fmt::format("{}: {:.4g} s simulated, {} particles, {} steps\n", scene.title.empty() ? scene.file.stem().string() : scene.title,
-                                 now("time_s"), std::int64_t(now("particles")), std::int64_t(now("steps")));
+  std::string text =
+      fmt::format("{}: {:.4g} s simulated, {} particles, {} steps\n", scene.title.empty() ? scene.file.stem().string() : scene.title,
+                  now("time_s"), std::int64_t(now("particles")), std::int64_t(now("steps")));
   if (value(first, "volume_m3") > 0)
     text += fmt::format("  volume       x {:.3f} ({:.4g} m^3)\n", now("volume_m3") / value(first, "volume_m3"), now("volume_m3"));
   if (scene.lists("heat"))
-    text += fmt::format("  temperature  {:.1f} to {:.1f} C, mean {:.1f} C\n", now("temperature_min_C"), now("temperature_max_C"), now("temperature_mean_C"));
+    text += fmt::format("  temperature  {:.1f} to {:.1f} C, mean {:.1f} C\n", now("temperature_min_C"), now("temperature_max_C"),
+                        now("temperature_mean_C"));
   if (scene.lists("water") && value(first, "water_mass_kg") > 0)
     text += fmt::format("  water lost   {:.4g} kg ({:.2f} %)\n", now("water_evaporated_kg"),
                         100 * now("water_evaporated_kg") / value(first, "water_mass_kg"));
   if (scene.lists("leavening")) text += fmt::format("  gas made     {:.4g} mol\n", now("gas_mol"));
   if (now("clamped_particles") > 0) text += fmt::format("  held at the domain's faces: {} times\n", std::int64_t(now("clamped_particles")));
   if (now("retired_particles") > 0) text += fmt::format("  retired at open faces: {} particles\n", std::int64_t(now("retired_particles")));
-  text += fmt::format("  speed        {:.2f} million particle-steps/s ({:.1f} s)\n", wall > 0 ? static_cast<double>(particle_steps) / wall / 1e6 : 0, wall);
+  text += fmt::format("  speed        {:.2f} million particle-steps/s ({:.1f} s)\n",
+                      wall > 0 ? static_cast<double>(particle_steps) / wall / 1e6 : 0, wall);
   text += fmt::format("  results      {}", results.folder.string());
   return text;
 }
@@ -116,12 +119,14 @@ void save_description(const Scene& scene, const Results& results, const char* st
 void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw InputError(folder.string() + ": cannot make this folder: " + error.message() + ", allowed: a place that can be written (--out)");
+  if (error)
+    throw InputError(folder.string() + ": cannot make this folder: " + error.message() + ", allowed: a place that can be written (--out)");
 }
 
 void clear_old(const Results& results) {
   std::error_code ignored;
-  for (const auto& path : {results.series(), results.ledger(), results.checkpoint(), results.description()}) std::filesystem::remove(path, ignored);
+  for (const auto& path : {results.series(), results.ledger(), results.checkpoint(), results.description()})
+    std::filesystem::remove(path, ignored);
   std::filesystem::remove_all(results.frames(), ignored);
 }
 
@@ -189,9 +194,12 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
       progress.update(stand(frame));
     }
     const bool stop = StopSignals::asked() && frame < frames;
-    if (stop || frame == frames || (reached && frame % scene.run.checkpoint_every_frames == 0)) save_checkpoint(scene, results, *simulation, frame);
+    if (stop || frame == frames || (reached && frame % scene.run.checkpoint_every_frames == 0))
+      save_checkpoint(scene, results, *simulation, frame);
     if (stop)
-      return {finish("interrupted") + fmt::format("\n  interrupted at {:.6g} s; checkpoint written, go on with --resume", simulation->time()), true};
+      return {
+          finish("interrupted") + fmt::format("\n  interrupted at {:.6g} s; checkpoint written, go on with --resume", simulation->time()),
+          true};
   }
   return {finish("done"), false};
 }
@@ -199,8 +207,9 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
 std::string describe_scene(const Scene& scene) {
   std::string effects;
   for (const std::string& e : scene.effects) effects += (effects.empty() ? "" : ", ") + e;
-  std::string text = fmt::format("{}\n  effects      {}\n  precision    {}\n", scene.title.empty() ? scene.file.stem().string() : scene.title, effects,
-                                 choice_names(scene.run.precision)[static_cast<std::size_t>(scene.run.precision)]);
+  std::string text =
+      fmt::format("{}\n  effects      {}\n  precision    {}\n", scene.title.empty() ? scene.file.stem().string() : scene.title, effects,
+                  choice_names(scene.run.precision)[static_cast<std::size_t>(scene.run.precision)]);
   double speed = 0;
   for (const Quality quality : {Quality::draft, Quality::standard, Quality::paper}) {
     Scene at = scene;
@@ -216,8 +225,9 @@ std::string describe_scene(const Scene& scene) {
     }
     const double steps = simulation->dt() > 0 ? std::ceil(scene.run.end_s / simulation->dt()) : 0;
     text += fmt::format("  {:<12} dx {:.4g} m, {:.0f} particles, {:.0f} MB ({:.0f} bytes per particle), about {:.0f} steps, {}\n",
-                        choice_names(quality)[static_cast<std::size_t>(quality)], at.dx(), n, static_cast<double>(simulation->bytes()) / 1e6,
-                        n > 0 ? static_cast<double>(simulation->bytes()) / n : 0, steps, speed > 0 ? clock_text(n * steps / speed) : "no time at all");
+                        choice_names(quality)[static_cast<std::size_t>(quality)], at.dx(), n,
+                        static_cast<double>(simulation->bytes()) / 1e6, n > 0 ? static_cast<double>(simulation->bytes()) / n : 0, steps,
+                        speed > 0 ? clock_text(n * steps / speed) : "no time at all");
   }
   return text + "  (steps from the first step's length; time from a trial of 20 steps at draft on this machine)";
 }

@@ -20,8 +20,8 @@ struct RunOptions {
 };
 
 struct RunSummary {
-  std::string text;           ///< for people
-  bool interrupted = false;   ///< by SIGINT or SIGTERM; a checkpoint was written
+  std::string text;          ///< for people
+  bool interrupted = false;  ///< by SIGINT or SIGTERM; a checkpoint was written
 };
 
 /// Simulates the scene. Throws InputError (nothing was written), OutputError, RunError (the last checkpoint is kept).

@@ -14,13 +14,48 @@
 namespace bake {
 
 std::vector<std::string> ledger_columns() {
-  return {"time_s",          "steps",           "dt_s",           "particles",        "retired_particles", "clamped_particles", "solid_mass_kg",
-          "water_mass_kg",   "water_evaporated_kg", "momentum_x_kg_m_per_s", "momentum_y_kg_m_per_s", "momentum_z_kg_m_per_s",
-          "angular_momentum_x_kg_m2_per_s", "angular_momentum_y_kg_m2_per_s", "angular_momentum_z_kg_m2_per_s", "impulse_x_kg_m_per_s",
-          "impulse_y_kg_m_per_s", "impulse_z_kg_m_per_s", "twist_x_kg_m2_per_s", "twist_y_kg_m2_per_s", "twist_z_kg_m2_per_s", "kinetic_J",
-          "elastic_J",       "dissipated_J",    "heat_content_J", "heat_exchanged_J", "latent_heat_J",     "expansion_heat_J",  "gas_mol",
-          "volume_m3",       "surface_m2",      "contact_surface_m2", "temperature_min_C", "temperature_mean_C", "temperature_max_C",
-          "max_speed_m_per_s", "height_m",      "extent_x_m",     "extent_y_m",       "water_limited_kg",  "retired_mass_kg",   "emitted_mass_kg"};
+  return {"time_s",
+          "steps",
+          "dt_s",
+          "particles",
+          "retired_particles",
+          "clamped_particles",
+          "solid_mass_kg",
+          "water_mass_kg",
+          "water_evaporated_kg",
+          "momentum_x_kg_m_per_s",
+          "momentum_y_kg_m_per_s",
+          "momentum_z_kg_m_per_s",
+          "angular_momentum_x_kg_m2_per_s",
+          "angular_momentum_y_kg_m2_per_s",
+          "angular_momentum_z_kg_m2_per_s",
+          "impulse_x_kg_m_per_s",
+          "impulse_y_kg_m_per_s",
+          "impulse_z_kg_m_per_s",
+          "twist_x_kg_m2_per_s",
+          "twist_y_kg_m2_per_s",
+          "twist_z_kg_m2_per_s",
+          "kinetic_J",
+          "elastic_J",
+          "dissipated_J",
+          "heat_content_J",
+          "heat_exchanged_J",
+          "latent_heat_J",
+          "expansion_heat_J",
+          "gas_mol",
+          "volume_m3",
+          "surface_m2",
+          "contact_surface_m2",
+          "temperature_min_C",
+          "temperature_mean_C",
+          "temperature_max_C",
+          "max_speed_m_per_s",
+          "height_m",
+          "extent_x_m",
+          "extent_y_m",
+          "water_limited_kg",
+          "retired_mass_kg",
+          "emitted_mass_kg"};
 }
 
 const std::vector<double>& Snapshot::operator[](std::string_view column) const {
@@ -83,9 +118,9 @@ class SimulationOf final : public Simulation {
 
   std::string memory_words() const override {
     const auto& physics = engine_.physics();
-    return fmt::format("{} numbers ({} bytes) per particle, {} scattered and {} gathered channels ({} bytes) per node", physics.column_count,
-                       static_cast<std::size_t>(physics.column_count) * sizeof(Real), physics.scatter_channels, physics.gather_channels,
-                       static_cast<std::size_t>(engine_.row_size()) * sizeof(Real));
+    return fmt::format("{} numbers ({} bytes) per particle, {} scattered and {} gathered channels ({} bytes) per node",
+                       physics.column_count, static_cast<std::size_t>(physics.column_count) * sizeof(Real), physics.scatter_channels,
+                       physics.gather_channels, static_cast<std::size_t>(engine_.row_size()) * sizeof(Real));
   }
 
   Snapshot snapshot() const override {
@@ -122,18 +157,41 @@ class SimulationOf final : public Simulation {
     });
     const bool none = engine_.particles() == 0, cold = none || !engine_.physics().has_heat;
     const auto [coldest, hottest] = temperatures();
-    std::vector<double> row{engine_.time(), double(c.steps), engine_.dt(), double(engine_.particles()), double(c.retired), double(c.clamped),
-                            total(Total::solid_mass), total(Total::water_mass), booked(Entry::evaporated)};
-    for (const Total which : {Total::momentum_x, Total::momentum_y, Total::momentum_z, Total::angular_x, Total::angular_y, Total::angular_z})
+    std::vector<double> row{engine_.time(),
+                            double(c.steps),
+                            engine_.dt(),
+                            double(engine_.particles()),
+                            double(c.retired),
+                            double(c.clamped),
+                            total(Total::solid_mass),
+                            total(Total::water_mass),
+                            booked(Entry::evaporated)};
+    for (const Total which :
+         {Total::momentum_x, Total::momentum_y, Total::momentum_z, Total::angular_x, Total::angular_y, Total::angular_z})
       row.push_back(total(which));
     for (const Entry which : {Entry::impulse_x, Entry::impulse_y, Entry::impulse_z, Entry::twist_x, Entry::twist_y, Entry::twist_z})
       row.push_back(booked(which));
-    for (const double value :
-         {total(Total::kinetic), total(Total::elastic), booked(Entry::dissipated), total(Total::heat_content), booked(Entry::exchanged),
-          booked(Entry::latent), booked(Entry::expansion), total(Total::gas), total(Total::volume), booked(Entry::area), booked(Entry::contact_area),
-          cold ? 0 : coldest, cold ? 0 : total(Total::temperature) / total(Total::volume), cold ? 0 : hottest, engine_.largest_speed(),
-          none ? 0 : high[2] - low[2], none ? 0 : high[0] - low[0], none ? 0 : high[1] - low[1], booked(Entry::water_limited), c.retired_mass,
-          c.emitted_mass})
+    for (const double value : {total(Total::kinetic),
+                               total(Total::elastic),
+                               booked(Entry::dissipated),
+                               total(Total::heat_content),
+                               booked(Entry::exchanged),
+                               booked(Entry::latent),
+                               booked(Entry::expansion),
+                               total(Total::gas),
+                               total(Total::volume),
+                               booked(Entry::area),
+                               booked(Entry::contact_area),
+                               cold ? 0 : coldest,
+                               cold ? 0 : total(Total::temperature) / total(Total::volume),
+                               cold ? 0 : hottest,
+                               engine_.largest_speed(),
+                               none ? 0 : high[2] - low[2],
+                               none ? 0 : high[0] - low[0],
+                               none ? 0 : high[1] - low[1],
+                               booked(Entry::water_limited),
+                               c.retired_mass,
+                               c.emitted_mass})
       row.push_back(value);
     return row;
   }
@@ -159,7 +217,9 @@ class SimulationOf final : public Simulation {
       frame.columns.push_back({name, unit, std::span<const float>(kept.back())});
     };
     kept.reserve(16);
-    const auto has = [&](const char* name) { return std::any_of(s.columns.begin(), s.columns.end(), [&](const auto& c) { return c.first == name; }); };
+    const auto has = [&](const char* name) {
+      return std::any_of(s.columns.begin(), s.columns.end(), [&](const auto& c) { return c.first == name; });
+    };
     const bool moves = has(field::VolumeRatio::name);
     const auto& V_0 = s[field::InitialVolume::name];
     const auto volume = [&](std::size_t i) { return moves ? V_0[i] * s[field::VolumeRatio::name][i] : V_0[i]; };

@@ -36,7 +36,8 @@ class Simulation {
 
   /// Steps until `target`, at which everything is sampled; `next_target` is where it will be asked to go then. After each step
   /// calls `after_step`; if that returns false, stops there. Returns whether the target was reached.
-  virtual bool advance(double target, double next_target, const std::function<bool()>& after_step = [] { return true; }) = 0;
+  virtual bool advance(
+      double target, double next_target, const std::function<bool()>& after_step = [] { return true; }) = 0;
   virtual void write(CheckpointWriter& out) const = 0;
 
   virtual double time() const = 0;
@@ -44,14 +45,14 @@ class Simulation {
   virtual std::size_t particles() const = 0;
   virtual const Counters& counters() const = 0;
   virtual const Bookings& booked() const = 0;
-  virtual const Totals& totals() const = 0;               ///< at the last sample
+  virtual const Totals& totals() const = 0;                    ///< at the last sample
   virtual std::pair<double, double> temperatures() const = 0;  ///< lowest and highest, at the last sample
   virtual Snapshot snapshot() const = 0;
   virtual std::vector<double> ledger_row() const = 0;
   virtual void write_frame_file(const std::filesystem::path& path) const = 0;
   virtual std::size_t bytes() const = 0;
   virtual std::size_t active_nodes() const = 0;
-  virtual std::string memory_words() const = 0;           ///< "19 columns, 76 bytes per particle; ..."
+  virtual std::string memory_words() const = 0;  ///< "19 columns, 76 bytes per particle; ..."
 };
 
 }  // namespace bake

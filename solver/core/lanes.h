@@ -72,16 +72,16 @@ BAKE_INLINE V clamp(V a, V low, V high) {
   return min(max(a, low), high);
 }
 
-#define BAKE_LANE_FUNCTION(name)                                                                            \
-  template <class Real>                                                                                     \
-  BAKE_INLINE Lanes<Real> name##_lanes(Lanes<Real> a) {                                                     \
-    using Array = Eigen::Array<Real, k_width<Real>, 1>;                                                     \
-    Lanes<Real> result;                                                                                     \
-    Eigen::Map<Array, Eigen::Aligned16>(reinterpret_cast<Real*>(&result)) =                                 \
-        Eigen::Map<const Array, Eigen::Aligned16>(reinterpret_cast<const Real*>(&a)).name();                \
-    return result;                                                                                          \
-  }                                                                                                         \
-  BAKE_INLINE Lanes<float> name(Lanes<float> a) { return name##_lanes<float>(a); }                          \
+#define BAKE_LANE_FUNCTION(name)                                                             \
+  template <class Real>                                                                      \
+  BAKE_INLINE Lanes<Real> name##_lanes(Lanes<Real> a) {                                      \
+    using Array = Eigen::Array<Real, k_width<Real>, 1>;                                      \
+    Lanes<Real> result;                                                                      \
+    Eigen::Map<Array, Eigen::Aligned16>(reinterpret_cast<Real*>(&result)) =                  \
+        Eigen::Map<const Array, Eigen::Aligned16>(reinterpret_cast<const Real*>(&a)).name(); \
+    return result;                                                                           \
+  }                                                                                          \
+  BAKE_INLINE Lanes<float> name(Lanes<float> a) { return name##_lanes<float>(a); }           \
   BAKE_INLINE Lanes<double> name(Lanes<double> a) { return name##_lanes<double>(a); }
 BAKE_LANE_FUNCTION(sqrt)
 BAKE_LANE_FUNCTION(log)

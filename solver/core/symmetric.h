@@ -164,8 +164,7 @@ BAKE_INLINE Symmetric<Lanes<Real>> half_log1p(const Symmetric<Lanes<Real>>& b) {
   auto result = detail::polynomial<Real>(b, S::half_log);
   const auto large = norm_squared(b) > lanes<Real>(S::log_norm * S::log_norm);
   if (__builtin_expect(any(large), 0)) {
-    const auto exact =
-        detail::by_eigenvalues<Real>(b, [](auto x) { return Real(0.5) * log1p(max(x, lanes<Real>(Real(-0.9975)))); });
+    const auto exact = detail::by_eigenvalues<Real>(b, [](auto x) { return Real(0.5) * log1p(max(x, lanes<Real>(Real(-0.9975)))); });
     result = detail::select(large, exact, result);
   }
   return result;

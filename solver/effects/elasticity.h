@@ -21,8 +21,7 @@ struct Elasticity {
     double poisson_ratio = 0.3;
     static constexpr auto parameters() {
       return std::tuple{
-          Parameter{"young_modulus_Pa", &Material::young_modulus_Pa, "Pa", positive, "E: Young's modulus of the solid",
-                    Presence::required},
+          Parameter{"young_modulus_Pa", &Material::young_modulus_Pa, "Pa", positive, "E: Young's modulus of the solid", Presence::required},
           Parameter{"poisson_ratio", &Material::poisson_ratio, "1", Range{-1, 0.5, true, true, "a number above -1 and below 0.5"},
                     "nu: Poisson's ratio of the solid"},
       };

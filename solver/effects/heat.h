@@ -2,8 +2,8 @@
 // Heat: conduction, exchange with oven and hot colliders, thermal expansion. [Ding19 Sec. 4, 6.3]
 #pragma once
 
-#include "solver/effects/parameters.h"
 #include "solver/effects/elasticity.h"
+#include "solver/effects/parameters.h"
 #include "solver/effects/totals.h"
 #include "solver/particles/fields.h"
 #include "solver/scene/parameter.h"
@@ -25,7 +25,8 @@ struct Heat {
     static constexpr auto parameters() {
       return std::tuple{
           Parameter{"integrator", &Settings::integrator, "", any_number, "gamma = 0 (forward Euler) or 1 (backward Euler) of Sec. 6.3"},
-          Parameter{"tolerance", &Settings::tolerance, "1", open_fraction, "relative residual at which backward Euler's conjugate gradients stop"},
+          Parameter{"tolerance", &Settings::tolerance, "1", open_fraction,
+                    "relative residual at which backward Euler's conjugate gradients stop"},
           Parameter{"exchange_form", &Settings::exchange_form, "", any_number,
                     "surface flux beta (theta_out - theta) (standard) or with the printed sign (published)"},
           Parameter{"expansion_form", &Settings::expansion_form, "", any_number,
@@ -105,8 +106,8 @@ struct Heat {
   template <class P, class K>
   BAKE_INLINE static void stress(P& p, const K& k) {
     if constexpr (P::template has<field::KirchhoffStress>) {
-      const auto pressure = k.published_expansion ? k.beta_T * p[field::J] * p[field::J] * p[field::theta]
-                                                  : k.beta_T * (p[field::theta] - k.theta_0);
+      const auto pressure =
+          k.published_expansion ? k.beta_T * p[field::J] * p[field::J] * p[field::theta] : k.beta_T * (p[field::theta] - k.theta_0);
       for (int i = 0; i < 3; ++i) p[field::tau][i] -= pressure;
     }
   }

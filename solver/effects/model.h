@@ -167,13 +167,12 @@ struct Model<Real, Effects...>::Node {
 };
 
 // Calls the expression for every effect that has such a function; `constants` are the effect's own.
-#define BAKE_FOR_EACH_EFFECT(...)                                                                             \
-  {                                                                                                           \
-    const auto one = [&]<class Effect>([[maybe_unused]] const ConstantsOf<Effect>& constants)                 \
-        __attribute__((always_inline)) {                                                                      \
-      if constexpr (requires { __VA_ARGS__; }) __VA_ARGS__;                                                   \
-    };                                                                                                        \
-    (one.template operator()<Effects>(std::get<ConstantsOf<Effects>>(k.effects)), ...);                       \
+#define BAKE_FOR_EACH_EFFECT(...)                                                                                              \
+  {                                                                                                                            \
+    const auto one = [&]<class Effect>([[maybe_unused]] const ConstantsOf<Effect>& constants) __attribute__((always_inline)) { \
+      if constexpr (requires { __VA_ARGS__; }) __VA_ARGS__;                                                                    \
+    };                                                                                                                         \
+    (one.template operator()<Effects>(std::get<ConstantsOf<Effects>>(k.effects)), ...);                                        \
   }
 
 template <class Real, class... Effects>

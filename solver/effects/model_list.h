@@ -23,24 +23,24 @@ struct Composition {};
 
 using Compositions = std::tuple<
     // nothing moves
-    Composition<FreeSurface, Heat>,                                                                      //
-    Composition<FreeSurface, Water>,                                                                     //
-    Composition<FreeSurface, Heat, Water>,                                                               //
+    Composition<FreeSurface, Heat>,         //
+    Composition<FreeSurface, Water>,        //
+    Composition<FreeSurface, Heat, Water>,  //
     // elastic
-    Composition<Motion, Elasticity>,                                                                     //
-    Composition<Motion, FreeSurface, Heat, Elasticity>,                                                  //
-    Composition<Motion, FreeSurface, Water, Elasticity>,                                                 //
-    Composition<Motion, FreeSurface, Heat, Water, Elasticity>,                                           //
+    Composition<Motion, Elasticity>,                            //
+    Composition<Motion, FreeSurface, Heat, Elasticity>,         //
+    Composition<Motion, FreeSurface, Water, Elasticity>,        //
+    Composition<Motion, FreeSurface, Heat, Water, Elasticity>,  //
     // dough
-    Composition<Motion, Elasticity, Plasticity>,                                                         //
-    Composition<Motion, FreeSurface, Heat, Elasticity, Plasticity>,                                      //
-    Composition<Motion, FreeSurface, Water, Elasticity, Plasticity>,                                     //
-    Composition<Motion, FreeSurface, Heat, Water, Elasticity, Plasticity>,                               //
-    Composition<Motion, FreeSurface, Heat, Elasticity, Plasticity, Leavening>,                           //
-    Composition<Motion, FreeSurface, Heat, Water, Elasticity, Plasticity, Leavening>,                    //
+    Composition<Motion, Elasticity, Plasticity>,                                       //
+    Composition<Motion, FreeSurface, Heat, Elasticity, Plasticity>,                    //
+    Composition<Motion, FreeSurface, Water, Elasticity, Plasticity>,                   //
+    Composition<Motion, FreeSurface, Heat, Water, Elasticity, Plasticity>,             //
+    Composition<Motion, FreeSurface, Heat, Elasticity, Plasticity, Leavening>,         //
+    Composition<Motion, FreeSurface, Heat, Water, Elasticity, Plasticity, Leavening>,  //
     // with FLIP, for studies of transfers
-    Composition<Motion, FlipMemory, Elasticity>,                                                         //
-    Composition<Motion, FlipMemory, Elasticity, Plasticity>,                                             //
+    Composition<Motion, FlipMemory, Elasticity>,              //
+    Composition<Motion, FlipMemory, Elasticity, Plasticity>,  //
     Composition<Motion, FlipMemory, FreeSurface, Heat, Water, Elasticity, Plasticity, Leavening>>;
 inline constexpr int k_compositions = std::tuple_size_v<Compositions>;
 

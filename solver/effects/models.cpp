@@ -52,8 +52,8 @@ std::unique_ptr<Physics<Real>> make_physics(const Scene& scene) {
   for (const std::string& name : scene.effects) listed += (listed.empty() ? "" : "+") + name;
   std::apply([&](auto... c) { ((known += (known.empty() ? "" : ", ") + words(c)), ...); }, Compositions{});
   const bool flip = scene.lists(Motion::name) && scene.of<Motion>().transfer == Motion::Transfer::flip;
-  throw InputError(scene.file.string() + ": effects: found " + (listed.empty() ? "none" : listed) + (flip ? " with transfer = \"flip\"" : "") +
-                   ", allowed: " + known);
+  throw InputError(scene.file.string() + ": effects: found " + (listed.empty() ? "none" : listed) +
+                   (flip ? " with transfer = \"flip\"" : "") + ", allowed: " + known);
 }
 
 template std::unique_ptr<Physics<float>> make_physics(const Scene&);

@@ -37,8 +37,8 @@ struct Extremes {
 template <class Real>
 struct Report {
   using V = Lanes<Real>;
-  V alive;                      ///< 1 in lanes that hold a particle, else 0; set tile by tile
-  Real origin[3] = {};          ///< position of the block's first node [m]
+  V alive;              ///< 1 in lanes that hold a particle, else 0; set tile by tile
+  Real origin[3] = {};  ///< position of the block's first node [m]
   Extremes<Real> extremes{};
   V booked[k_entries] = {};
   bool totals_wanted = false;
@@ -82,9 +82,9 @@ class Physics {
   };
   std::vector<Column> columns;  ///< stored per particle, position and identity first
   int column_count = 0;
-  int scatter_channels = 0;     ///< numbers per node before the grid update
-  int moment_channels = 0;      ///< the first so many of them have coefficients of the node offsets
-  int gather_channels = 0;      ///< numbers per node after it
+  int scatter_channels = 0;  ///< numbers per node before the grid update
+  int moment_channels = 0;   ///< the first so many of them have coefficients of the node offsets
+  int gather_channels = 0;   ///< numbers per node after it
   bool moves = false;
   bool has_heat = false;
   bool has_water = false;

@@ -2,9 +2,9 @@
 // Plasticity: temperature- and porosity-dependent Cam clay with viscous flow. [Ding19 Sec. 5.3, 6.5]
 #pragma once
 
-#include "solver/effects/parameters.h"
 #include "solver/core/symmetric.h"
 #include "solver/effects/elasticity.h"
+#include "solver/effects/parameters.h"
 #include "solver/effects/totals.h"
 #include "solver/particles/fields.h"
 #include "solver/scene/parameter.h"

@@ -19,11 +19,11 @@ enum class Entry {
   impulse_x,      ///< momentum given by gravity, colliders, grips and faces [kg m/s]
   impulse_y,
   impulse_z,
-  twist_x,        ///< angular momentum given by them, about the origin [kg m^2/s]
+  twist_x,  ///< angular momentum given by them, about the origin [kg m^2/s]
   twist_y,
   twist_z,
-  area,           ///< surface that touches air [m^2]
-  contact_area,   ///< surface that touches heated colliders [m^2]
+  area,          ///< surface that touches air [m^2]
+  contact_area,  ///< surface that touches heated colliders [m^2]
   count
 };
 inline constexpr int k_entries = static_cast<int>(Entry::count);
@@ -36,12 +36,12 @@ BAKE_INLINE void book(Bookings& booked, Entry entry, V amount) {
 
 /// State that is summed over the particles when asked for.
 enum class Total {
-  solid_mass,    ///< [kg]
-  water_mass,    ///< [kg]
-  momentum_x,    ///< sum of m v + V q [kg m/s]
+  solid_mass,  ///< [kg]
+  water_mass,  ///< [kg]
+  momentum_x,  ///< sum of m v + V q [kg m/s]
   momentum_y,
   momentum_z,
-  angular_x,     ///< about the origin, with the affine part [kg m^2/s]
+  angular_x,  ///< about the origin, with the affine part [kg m^2/s]
   angular_y,
   angular_z,
   kinetic,       ///< [J]

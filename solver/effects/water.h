@@ -34,10 +34,12 @@ struct Water {
       return std::tuple{
           Parameter{"water_density_kg_per_m3", &Material::water_density_kg_per_m3, "kg/m^3", positive,
                     "rho_0^w: intrinsic density of water, s = m_w / (rho_0^w V)"},
-          Parameter{"diffusivity_m2_per_sK", &Material::diffusivity_m2_per_sK, "m^2/(s K)", non_negative, "K: Fick's constant, q = -K theta rho_w grad s"},
+          Parameter{"diffusivity_m2_per_sK", &Material::diffusivity_m2_per_sK, "m^2/(s K)", non_negative,
+                    "K: Fick's constant, q = -K theta rho_w grad s"},
           Parameter{"evaporation_kg_per_m2sK", &Material::evaporation_kg_per_m2sK, "kg/(m^2 s K)", non_negative,
                     "beta_w: water leaving a surface, q.n = beta_w theta (s - s_out)"},
-          Parameter{"pressure_Pa", &Material::pressure_Pa, "Pa", non_negative, "c_hat: water pressure per saturation, p_w = c_hat (s - s_0)"},
+          Parameter{"pressure_Pa", &Material::pressure_Pa, "Pa", non_negative,
+                    "c_hat: water pressure per saturation, p_w = c_hat (s - s_0)"},
       };
     }
   };

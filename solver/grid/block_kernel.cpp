@@ -15,7 +15,8 @@ std::unique_ptr<BlockKernel<Real>> make_block_kernel(KernelOrder order, const Ph
     if (scattered <= 16 && gathered <= 16) return make_block_kernel_16_16<Real, o>();
     throw std::logic_error("a model with more channels than a row holds");
   };
-  return order == KernelOrder::quadratic ? rows.template operator()<KernelOrder::quadratic>() : rows.template operator()<KernelOrder::cubic>();
+  return order == KernelOrder::quadratic ? rows.template operator()<KernelOrder::quadratic>()
+                                         : rows.template operator()<KernelOrder::cubic>();
 }
 
 template std::unique_ptr<BlockKernel<float>> make_block_kernel(KernelOrder, const Physics<float>&);

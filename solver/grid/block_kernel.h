@@ -13,11 +13,11 @@ namespace bake {
 /// What a particle would have scattered, had it stayed near its block: done later, serially, in block order.
 template <class Real>
 struct Escape {
-  std::int32_t home;        ///< index of its home block
+  std::int32_t home;  ///< index of its home block
   std::int32_t tile, lane;
-  bool retired;             ///< left through an open face
-  bool broken;              ///< a number of its state is not finite
-  std::vector<Real> rows;   ///< values and coefficients of the node offsets about the particle, four rows
+  bool retired;            ///< left through an open face
+  bool broken;             ///< a number of its state is not finite
+  std::vector<Real> rows;  ///< values and coefficients of the node offsets about the particle, four rows
 };
 
 /// Everything a block needs of the rest of the world.
@@ -25,12 +25,12 @@ template <class Real>
 struct BlockWork {
   ParticleStore<Real>* store = nullptr;
   const Physics<Real>* physics = nullptr;
-  const Real* gathered = nullptr;   ///< grid that is read: rows of `row_size` numbers
-  Real* scattered = nullptr;        ///< grid that is added to
+  const Real* gathered = nullptr;  ///< grid that is read: rows of `row_size` numbers
+  Real* scattered = nullptr;       ///< grid that is added to
   Step<Real> step;
-  Real* velocity = nullptr;         ///< if not null: [tile][3][W]
-  Real origin[3];                   ///< of the lattice [m]
-  Real low_face[3], high_face[3];   ///< domain, in node distances from the lattice's first node
+  Real* velocity = nullptr;        ///< if not null: [tile][3][W]
+  Real origin[3];                  ///< of the lattice [m]
+  Real low_face[3], high_face[3];  ///< domain, in node distances from the lattice's first node
   bool open_low[3] = {}, open_high[3] = {};
 };
 

@@ -5,6 +5,7 @@
 // be gathered after it, in the same place. Blocks come into being where particles are: the 27 around every home block.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -42,9 +43,7 @@ class Lattice {
             static_cast<int>(linear % blocks_[2])};
   }
   /// First node of a block [m].
-  Point origin(const BlockIndex& b) const {
-    return {origin_[0] + 4 * b.x * dx_, origin_[1] + 4 * b.y * dx_, origin_[2] + 4 * b.z * dx_};
-  }
+  Point origin(const BlockIndex& b) const { return {origin_[0] + 4 * b.x * dx_, origin_[1] + 4 * b.y * dx_, origin_[2] + 4 * b.z * dx_}; }
   /// Position in node distances from the lattice's first node.
   double in_nodes(double x, int axis) const { return (x - origin_[axis]) / dx_; }
   /// The domain's faces, in node distances from the lattice's first node.
@@ -62,6 +61,8 @@ struct ActiveBlocks {
   std::vector<BlockIndex> at;
   std::vector<std::int32_t> slot_of;  ///< by linear block number; -1: not there
 
+  std::vector<std::array<std::int32_t, 27>> around;  ///< slots of a block's neighbours and its own, as in HomeBlock; -1: not there
+
   /// Makes the 27 blocks around every home block, in order of first use, and writes the neighbour tables.
   void surround(std::vector<HomeBlock>& homes, const Lattice& lattice) {
     if (slot_of.size() != lattice.block_count()) slot_of.assign(lattice.block_count(), -1);
@@ -69,7 +70,7 @@ struct ActiveBlocks {
     at.clear();
     for (HomeBlock& home : homes)
       for (int i = 0; i < 27; ++i) {
-        const BlockIndex b{home.at.x + i / 9 - 1, home.at.y + i / 3 % 3 - 1, home.at.z + i % 3 - 1};
+        const BlockIndex b = neighbour(home.at, i);
         std::int32_t& slot = slot_of[lattice.linear(b)];
         if (slot < 0) {
           slot = static_cast<std::int32_t>(at.size());
@@ -77,13 +78,18 @@ struct ActiveBlocks {
         }
         home.neighbour[i] = slot;
       }
+    around.resize(at.size());
+    for (std::size_t s = 0; s < at.size(); ++s)
+      for (int i = 0; i < 27; ++i) around[s][static_cast<std::size_t>(i)] = slot_at(neighbour(at[s], i), lattice);
   }
-  /// Slot of the block at an offset from `b`, or -1.
-  std::int32_t near(const BlockIndex& b, int dx, int dy, int dz, const Lattice& lattice) const {
-    const BlockIndex n{b.x + dx, b.y + dy, b.z + dz};
-    if (n.x < 0 || n.y < 0 || n.z < 0 || n.x >= lattice.blocks(0) || n.y >= lattice.blocks(1) || n.z >= lattice.blocks(2)) return -1;
-    return slot_of[lattice.linear(n)];
+  /// Slot of a block, or -1.
+  std::int32_t slot_at(const BlockIndex& b, const Lattice& lattice) const {
+    if (b.x < 0 || b.y < 0 || b.z < 0 || b.x >= lattice.blocks(0) || b.y >= lattice.blocks(1) || b.z >= lattice.blocks(2)) return -1;
+    return slot_of[lattice.linear(b)];
   }
+
+ private:
+  static BlockIndex neighbour(const BlockIndex& b, int i) { return {b.x + i / 9 - 1, b.y + i / 3 % 3 - 1, b.z + i % 3 - 1}; }
 };
 
 }  // namespace bake

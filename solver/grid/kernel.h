@@ -55,8 +55,8 @@ template <class Real, KernelOrder order>
 struct Stencil {
   using V = Lanes<Real>;
   using K = Kernel<order>;
-  V base[3];                  ///< first node per axis, as a whole number
-  V offset[3];                ///< x - (base + 1), in node distances
+  V base[3];    ///< first node per axis, as a whole number
+  V offset[3];  ///< x - (base + 1), in node distances
   V weight[3][K::support];
 
   /// `x`: positions in node distances from the block's first node.
@@ -73,8 +73,7 @@ struct Stencil {
   /// Lanes whose stencil leaves the block's tile (or whose position is not a number).
   BAKE_INLINE LaneMask<Real> outside() const {
     LaneMask<Real> out = LaneMask<Real>{};
-    for (int d = 0; d < 3; ++d)
-      out |= ~((base[d] >= lanes<Real>(K::lowest_base)) & (base[d] <= lanes<Real>(K::highest_base)));
+    for (int d = 0; d < 3; ++d) out |= ~((base[d] >= lanes<Real>(K::lowest_base)) & (base[d] <= lanes<Real>(K::highest_base)));
     return out;
   }
 };

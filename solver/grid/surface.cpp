@@ -15,16 +15,21 @@ using Halo = Real[k_halo][k_halo][k_halo];
 
 /// Copies the nodes of a block and those around it; zero where there is no block.
 template <class Real, class FieldOf>
-void load_halo(const BlockIndex& b, const ActiveBlocks& active, const Lattice& lattice, FieldOf field_of, Halo<Real>& out) {
-  std::int32_t slots[27];
-  for (int i = 0; i < 27; ++i) slots[i] = active.near(b, i / 9 - 1, i / 3 % 3 - 1, i % 3 - 1, lattice);
+void load_halo(const std::array<std::int32_t, 27>& around, FieldOf field_of, Halo<Real>& out) {
+  const auto nodes = [&](int column, int z) -> const Real* {
+    const std::int32_t slot = around[static_cast<std::size_t>(column * 3 + z)];
+    return slot < 0 ? nullptr : field_of(static_cast<std::size_t>(slot)).data();
+  };
   for (int x = 0; x < k_halo; ++x)
-    for (int y = 0; y < k_halo; ++y)
-      for (int z = 0; z < k_halo; ++z) {
-        const int gx = x + 3, gy = y + 3, gz = z + 3;  // 4 is the block's first node
-        const std::int32_t slot = slots[(gx >> 2) * 9 + (gy >> 2) * 3 + (gz >> 2)];
-        out[x][y][z] = slot < 0 ? Real(0) : field_of(static_cast<std::size_t>(slot))[static_cast<std::size_t>(node_in_block(gx & 3, gy & 3, gz & 3))];
-      }
+    for (int y = 0; y < k_halo; ++y) {
+      const int gx = x + 3, gy = y + 3;  // 4 is the block's first node
+      const int column = (gx >> 2) * 3 + (gy >> 2), line = node_in_block(gx & 3, gy & 3, 0);
+      const Real *below = nodes(column, 0), *mine = nodes(column, 1), *above = nodes(column, 2);
+      Real* to = out[x][y];
+      to[0] = below ? below[line + 3] : Real(0);
+      for (int z = 0; z < 4; ++z) to[1 + z] = mine ? mine[line + z] : Real(0);
+      to[5] = above ? above[line] : Real(0);
+    }
 }
 
 /// (1, 2, 1)/4 along each axis, from a halo to the block's nodes.
@@ -43,6 +48,35 @@ void blur(const Halo<Real>& in, std::array<Real, k_block_nodes>& out) {
         out[static_cast<std::size_t>(node_in_block(x, y, z))] = Real(0.25) * (b[x][y][z] + 2 * b[x][y][z + 1] + b[x][y][z + 2]);
 }
 
+/// Differences over two nodes along each axis, smoothed by (1, 6, 1)/8 along the other two.
+template <class Real>
+void gradients(const Halo<Real>& psi, Real (&out)[3][k_block_nodes]) {
+  const auto smooth = [](Real a, Real b, Real c) { return Real(0.125) * (a + c) + Real(0.75) * b; };
+  Real along_z[k_halo][k_halo][4], smooth_z[k_halo][k_halo][4];  // the difference along z, and the smoothed value
+  for (int x = 0; x < k_halo; ++x)
+    for (int y = 0; y < k_halo; ++y)
+      for (int z = 0; z < 4; ++z) {
+        along_z[x][y][z] = psi[x][y][z + 2] - psi[x][y][z];
+        smooth_z[x][y][z] = smooth(psi[x][y][z], psi[x][y][z + 1], psi[x][y][z + 2]);
+      }
+  Real along_z_smooth_y[k_halo][4][4], smooth_zy[k_halo][4][4], along_y[k_halo][4][4];
+  for (int x = 0; x < k_halo; ++x)
+    for (int y = 0; y < 4; ++y)
+      for (int z = 0; z < 4; ++z) {
+        along_z_smooth_y[x][y][z] = smooth(along_z[x][y][z], along_z[x][y + 1][z], along_z[x][y + 2][z]);
+        smooth_zy[x][y][z] = smooth(smooth_z[x][y][z], smooth_z[x][y + 1][z], smooth_z[x][y + 2][z]);
+        along_y[x][y][z] = smooth_z[x][y + 2][z] - smooth_z[x][y][z];
+      }
+  for (int x = 0; x < 4; ++x)
+    for (int y = 0; y < 4; ++y)
+      for (int z = 0; z < 4; ++z) {
+        const int k = node_in_block(x, y, z);
+        out[0][k] = smooth_zy[x + 2][y][z] - smooth_zy[x][y][z];
+        out[1][k] = smooth(along_y[x][y][z], along_y[x + 1][y][z], along_y[x + 2][y][z]);
+        out[2][k] = smooth(along_z_smooth_y[x][y][z], along_z_smooth_y[x + 1][y][z], along_z_smooth_y[x + 2][y][z]);
+      }
+}
+
 /// Node coordinates within the lattice.
 struct NodeIndex {
   int at[3];
@@ -55,7 +89,7 @@ Real mirrored(NodeIndex n, int axis, const Lattice& lattice, VolumeAt volume_at)
   Real sum = mirrored<Real>(n, axis + 1, lattice, volume_at);
   const int i = n.at[axis];
   for (const int face : {static_cast<int>(lattice.low_face()), static_cast<int>(lattice.high_face(axis))})
-    if (std::abs(i - face) <= 3) {
+    if (std::abs(i - face) <= 3) {  // as far as the area of a face's own node depends on the volume
       n.at[axis] = 2 * face - i;
       sum += mirrored<Real>(n, axis + 1, lattice, volume_at);
       n.at[axis] = i;
@@ -73,8 +107,8 @@ bool near_face(const BlockIndex& b, const Lattice& lattice) {
 }  // namespace
 
 template <class Real>
-void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volume_channel, const ActiveBlocks& active, const Lattice& lattice,
-                                       const Contacts& contacts, const Air& air) {
+void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volume_channel, const ActiveBlocks& active,
+                                       const Lattice& lattice, const Contacts& contacts, const Air& air) {
   const std::size_t n = active.at.size();
   volume_.resize(n);
   phi_.resize(n);
@@ -104,10 +138,10 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
     }
     const BlockIndex b = active.at[s];
     const auto volume_at = [&](const NodeIndex& node) {
-      const BlockIndex home{node.at[0] >> 2, node.at[1] >> 2, node.at[2] >> 2};
-      const std::int32_t slot = active.near(home, 0, 0, 0, lattice);
+      const std::int32_t slot = active.slot_at({node.at[0] >> 2, node.at[1] >> 2, node.at[2] >> 2}, lattice);
       return slot < 0 ? Real(0)
-                      : volume_[static_cast<std::size_t>(slot)][static_cast<std::size_t>(node_in_block(node.at[0] & 3, node.at[1] & 3, node.at[2] & 3))];
+                      : volume_[static_cast<std::size_t>(slot)]
+                               [static_cast<std::size_t>(node_in_block(node.at[0] & 3, node.at[1] & 3, node.at[2] & 3))];
     };
     for (int k = 0; k < k_block_nodes; ++k)
       phi_[s][static_cast<std::size_t>(k)] =
@@ -118,7 +152,8 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
   for (std::int64_t i = 0; i < blocks; ++i) {
     const auto s = static_cast<std::size_t>(i);
     Halo<Real> halo;
-    load_halo<Real>(active.at[s], active, lattice, [&](std::size_t slot) -> const Nodes& { return phi_[slot]; }, halo);
+    load_halo<Real>(
+        active.around[s], [&](std::size_t slot) -> const Nodes& { return phi_[slot]; }, halo);
     blur(halo, smooth_[s]);
     bool full = true;
     for (const Real phi : smooth_[s]) full &= phi >= Real(0.8);
@@ -130,13 +165,11 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
     const auto s = static_cast<std::size_t>(i);
     const BlockIndex b = active.at[s];
     bool inside = true;  // full all around: no gradient
-    for (int k = 0; k < 27 && inside; ++k) {
-      const std::int32_t slot = active.near(b, k / 9 - 1, k / 3 % 3 - 1, k % 3 - 1, lattice);
-      inside = slot >= 0 && full_[static_cast<std::size_t>(slot)];
-    }
+    for (const std::int32_t slot : active.around[s]) inside &= slot >= 0 && full_[static_cast<std::size_t>(slot)];
     if (inside) continue;
     Halo<Real> psi;
-    load_halo<Real>(b, active, lattice, [&](std::size_t slot) -> const Nodes& { return smooth_[slot]; }, psi);
+    load_halo<Real>(
+        active.around[s], [&](std::size_t slot) -> const Nodes& { return smooth_[slot]; }, psi);
     for (auto& plane : psi)
       for (auto& line : plane)
         for (Real& value : line) value = std::min(std::max((value - Real(0.2)) / Real(0.6), Real(0)), Real(1));
@@ -144,21 +177,15 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
     const Point origin = lattice.origin(b);
     auto& density = density_[s];
     for (auto& field : density) field.fill(0);
+    Real gradient[3][k_block_nodes];
+    gradients(psi, gradient);
     bool any = false;
     for (int x = 0; x < 4; ++x)
       for (int y = 0; y < 4; ++y)
         for (int z = 0; z < 4; ++z) {
           const auto k = static_cast<std::size_t>(node_in_block(x, y, z));
           if (smooth_[s][k] < Real(1e-3)) continue;
-          static constexpr Real across[3] = {Real(0.125), Real(0.75), Real(0.125)};
-          Real g[3] = {0, 0, 0};
-          for (int a = 0; a < 3; ++a)
-            for (int c = 0; c < 3; ++c) {
-              const Real w = across[a] * across[c];
-              g[0] += w * (psi[x + 2][y + a][z + c] - psi[x][y + a][z + c]);
-              g[1] += w * (psi[x + a][y + 2][z + c] - psi[x + a][y][z + c]);
-              g[2] += w * (psi[x + a][y + c][z + 2] - psi[x + a][y + c][z]);
-            }
+          const Real g[3] = {gradient[0][k], gradient[1][k], gradient[2][k]};
           const Real norm = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
           if (norm == 0) continue;
           any = true;
@@ -181,12 +208,8 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
 #pragma omp parallel for schedule(dynamic, 16)
   for (std::int64_t i = 0; i < blocks; ++i) {
     const auto s = static_cast<std::size_t>(i);
-    const BlockIndex b = active.at[s];
     bool any = false;
-    for (int k = 0; k < 27; ++k) {
-      const std::int32_t slot = active.near(b, k / 9 - 1, k / 3 % 3 - 1, k % 3 - 1, lattice);
-      any |= slot >= 0 && has_density_[static_cast<std::size_t>(slot)];
-    }
+    for (const std::int32_t slot : active.around[s]) any |= slot >= 0 && has_density_[static_cast<std::size_t>(slot)];
     has_surface_[s] = any;
     if (!any) continue;
     static const Nodes none{};
@@ -194,7 +217,7 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
     for (std::size_t field = 0; field < 4; ++field) {
       Halo<Real> halo;
       load_halo<Real>(
-          b, active, lattice, [&](std::size_t slot) -> const Nodes& { return has_density_[slot] ? density_[slot][field] : none; }, halo);
+          active.around[s], [&](std::size_t slot) -> const Nodes& { return has_density_[slot] ? density_[slot][field] : none; }, halo);
       blur(halo, smoothed[field]);
     }
     BlockSurroundings<Real>& out = surroundings_[s];
@@ -204,6 +227,105 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
       out.contact_area[k] = V * smoothed[1][k];
       out.exchange[k] = V * (smoothed[0][k] * static_cast<Real>(air.exchange) + smoothed[2][k]);
       out.exchange_source[k] = V * (smoothed[0][k] * static_cast<Real>(air.exchange * air.temperature) + smoothed[3][k]);
+    }
+  }
+}
+
+template <class Real>
+void FreeSurfaceMeasure<Real>::measure_published(const ParticleStore<Real>& store, const Real* rows, int row_size, int volume_channel,
+                                                 int ratio_column, int volume_column, const ActiveBlocks& active, const Lattice& lattice,
+                                                 const Contacts& contacts, const Air& air) {
+  const std::size_t n = active.at.size();
+  surroundings_.assign(n, {});
+  has_surface_.assign(n, 1);
+  const auto filled = [&](std::size_t slot, int node) {
+    return rows[(slot * k_block_nodes + static_cast<std::size_t>(node)) * static_cast<std::size_t>(row_size) +
+                static_cast<std::size_t>(volume_channel)] > 0;
+  };
+  // a node with mass and a neighbour without
+  const auto at_boundary = [&](std::size_t slot, int node) {
+    if (!filled(slot, node)) return false;
+    const int at[3] = {node / 16, node / 4 % 4, node % 4};
+    for (int d = 0; d < 3; ++d)
+      for (const int step : {-1, 1}) {
+        int near[3] = {at[0], at[1], at[2]}, block[3] = {1, 1, 1};
+        near[d] += step;
+        block[d] += near[d] < 0 ? -1 : near[d] > 3 ? 1 : 0;
+        near[d] &= 3;
+        const std::int32_t neighbour = active.around[slot][static_cast<std::size_t>(block[0] * 9 + block[1] * 3 + block[2])];
+        if (neighbour < 0 || !filled(static_cast<std::size_t>(neighbour), node_in_block(near[0], near[1], near[2]))) return true;
+      }
+    return false;
+  };
+  struct Nearest {
+    double distance2 = k_infinity;
+    std::size_t tile = 0;
+    int lane = 0;
+  };
+  std::vector<char> boundary(n * k_block_nodes);
+  for (std::size_t i = 0; i < boundary.size(); ++i) boundary[i] = at_boundary(i / k_block_nodes, static_cast<int>(i % k_block_nodes));
+
+  // visit(node number, weight, distance^2) for the nodes of a particle's quadratic stencil
+  const auto for_each_node = [&](const HomeBlock& home, const Lanes<Real>* columns, int l, auto visit) {
+    double x[3], w[3][3];
+    int base[3];
+    for (int d = 0; d < 3; ++d) {
+      x[d] = static_cast<double>(columns[k_position_column + d][l]);
+      base[d] = static_cast<int>(std::floor(x[d] - 0.5));
+      const double f = x[d] - base[d] - 1;
+      w[d][0] = 0.5 * (0.5 - f) * (0.5 - f), w[d][1] = 0.75 - f * f, w[d][2] = 0.5 * (0.5 + f) * (0.5 + f);
+    }
+    for (int j = 0; j < 27; ++j) {
+      const int o[3] = {j / 9, j / 3 % 3, j % 3};
+      double weight = 1, distance2 = 0;
+      int at[3];
+      for (int d = 0; d < 3; ++d) {
+        weight *= w[d][o[d]];
+        at[d] = base[d] + o[d] + 4;
+        const double r = base[d] + o[d] - x[d];
+        distance2 += r * r;
+      }
+      const std::int32_t slot = home.neighbour[(at[0] >> 2) * 9 + (at[1] >> 2) * 3 + (at[2] >> 2)];
+      visit(static_cast<std::size_t>(slot) * k_block_nodes + static_cast<std::size_t>(node_in_block(at[0] & 3, at[1] & 3, at[2] & 3)),
+            weight, distance2);
+    }
+  };
+  const auto for_each_particle = [&](auto visit) {
+    for (const HomeBlock& home : store.blocks)
+      for (std::int32_t t = home.first_tile; t < home.first_tile + home.tiles; ++t)
+        for (int l = 0; l < store.tiles[static_cast<std::size_t>(t)].count; ++l) visit(home, static_cast<std::size_t>(t), l);
+  };
+  std::vector<Nearest> nearest(n * k_block_nodes);
+  for_each_particle([&](const HomeBlock& home, std::size_t t, int l) {
+    for_each_node(home, store.tile(t), l, [&](std::size_t node, double, double distance2) {
+      if (boundary[node] && distance2 < nearest[node].distance2) nearest[node] = {distance2, t, l};
+    });
+  });
+  std::vector<char> chosen(store.tiles.size() * k_width<Real>);
+  for (std::size_t node = 0; node < boundary.size(); ++node)
+    if (boundary[node] && nearest[node].distance2 < k_infinity)
+      chosen[nearest[node].tile * k_width<Real> + static_cast<std::size_t>(nearest[node].lane)] = 1;
+
+  for_each_particle([&](const HomeBlock& home, std::size_t t, int l) {
+    if (!chosen[t * k_width<Real> + static_cast<std::size_t>(l)]) return;
+    const auto* columns = store.tile(t);
+    const double V =
+        static_cast<double>(columns[volume_column][l]) * (ratio_column < 0 ? 1 : static_cast<double>(columns[ratio_column][l]));
+    const double S = std::cbrt(9 * M_PI / 16 * V * V);  // pi r^2 of the sphere of volume V
+    for_each_node(home, columns, l, [&](std::size_t node, double weight, double) {
+      surroundings_[node / k_block_nodes].area[node % k_block_nodes] += static_cast<Real>(weight * S);
+    });
+  });
+  for (std::size_t s = 0; s < n; ++s) {
+    const bool near_contact = contacts.near(active.at[s], lattice.dx());
+    BlockSurroundings<Real>& out = surroundings_[s];
+    for (int k = 0; k < k_block_nodes; ++k) {
+      const Point x = lattice.origin(active.at[s]) + lattice.dx() * Vector3{double(k / 16), double(k / 4 % 4), double(k % 4)};
+      const auto cover = near_contact && out.area[k] > 0 ? contacts.covering(x, std::nullopt, lattice.dx()) : std::nullopt;
+      const Real A = out.area[k];
+      if (cover) out.contact_area[k] = A, out.area[k] = 0;
+      out.exchange[k] = A * static_cast<Real>(cover ? cover->exchange : air.exchange);
+      out.exchange_source[k] = A * static_cast<Real>(cover ? cover->exchange * cover->temperature : air.exchange * air.temperature);
     }
   }
 }

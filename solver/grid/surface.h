@@ -40,11 +40,13 @@ class FreeSurfaceMeasure {
  public:
   /// Measures from the volumes V_i in channel `volume_channel` of the scattered rows. Parallel over blocks, same bits for any
   /// number of threads.
-  void measure(const Real* rows, int row_size, int volume_channel, const ActiveBlocks& active, const Lattice& lattice, const Contacts& contacts,
-               const Air& air);
-  std::size_t bytes() const {
-    return volume_.capacity() * (3 * sizeof(Nodes) + 4 * sizeof(Nodes) + sizeof(BlockSurroundings<Real>) + 3);
-  }
+  void measure(const Real* rows, int row_size, int volume_channel, const ActiveBlocks& active, const Lattice& lattice,
+               const Contacts& contacts, const Air& air);
+  /// [Ding19 Sec. 6.6] as printed: every node with mass that has a neighbour without appends the particle nearest to it, and each
+  /// such particle stands for a disc of pi r^2, (4/3) pi r^3 = V. Quadratic weights; serial: for studies of small scenes.
+  void measure_published(const ParticleStore<Real>& store, const Real* rows, int row_size, int volume_channel, int ratio_column,
+                         int volume_column, const ActiveBlocks& active, const Lattice& lattice, const Contacts& contacts, const Air& air);
+  std::size_t bytes() const { return volume_.capacity() * (3 * sizeof(Nodes) + 4 * sizeof(Nodes) + sizeof(BlockSurroundings<Real>) + 3); }
   /// Does the block have any surface?
   bool has_surface(std::size_t slot) const { return has_surface_[slot]; }
   /// Surroundings of a block that has surface.

@@ -12,11 +12,11 @@ struct Field {
   static constexpr int width = Width;
 };
 
-#define BAKE_FIELD(symbol, Type, Width, full_name, units)    \
-  struct Type : Field<Width> {                               \
-    static constexpr const char* name = full_name;           \
-    static constexpr const char* unit = units;               \
-  };                                                         \
+#define BAKE_FIELD(symbol, Type, Width, full_name, units) \
+  struct Type : Field<Width> {                            \
+    static constexpr const char* name = full_name;        \
+    static constexpr const char* unit = units;            \
+  };                                                      \
   inline constexpr Type symbol {}
 
 namespace field {
@@ -28,7 +28,7 @@ BAKE_FIELD(v, Velocity, 3, "velocity", "m/s");
 BAKE_FIELD(C, AffineVelocity, 9, "affine_velocity", "1/s");  // C[3 * i + j] = dv_i / dx_j
 BAKE_FIELD(J, VolumeRatio, 1, "volume_ratio", "1");
 BAKE_FIELD(tau, KirchhoffStress, 6, "kirchhoff_stress", "Pa");
-BAKE_FIELD(b_E, ElasticStrain, 6, "elastic_strain", "1");    // elastic left Cauchy-Green strain less the identity
+BAKE_FIELD(b_E, ElasticStrain, 6, "elastic_strain", "1");  // elastic left Cauchy-Green strain less the identity
 BAKE_FIELD(epsilon, HenckyStrain, 6, "hencky_strain", "1");
 BAKE_FIELD(J_P, PlasticVolumeRatio, 1, "plastic_volume_ratio", "1");
 BAKE_FIELD(theta, Temperature, 1, "temperature", "C");
@@ -38,8 +38,8 @@ BAKE_FIELD(m_w, WaterMass, 1, "water_mass", "kg");
 BAKE_FIELD(q, WaterFlux, 3, "water_flux", "kg/(m^2 s)");
 BAKE_FIELD(Q, WaterMomentum, 3, "water_momentum", "kg m/s");  // V q, the momentum of water relative to the solid
 BAKE_FIELD(Q_old, ScatteredWaterMomentum, 3, "scattered_water_momentum", "kg m/s");
-BAKE_FIELD(nu, ProducedGas, 1, "produced_gas", "mol/m^3");    // per initial volume
-BAKE_FIELD(c, Leavener, 1, "leavener", "1");                  // unspent share
+BAKE_FIELD(nu, ProducedGas, 1, "produced_gas", "mol/m^3");  // per initial volume
+BAKE_FIELD(c, Leavener, 1, "leavener", "1");                // unspent share
 }  // namespace field
 
 /// Channels of a node. Scattered: sums over particles. Gathered: what the grid update hands back.

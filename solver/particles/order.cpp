@@ -28,7 +28,7 @@ struct Ticket {
   std::uint32_t block;  ///< linear number of its new home
   std::uint16_t cell;   ///< of that block
   std::uint16_t material;
-  std::uint32_t tile;   ///< in the sources one after the other
+  std::uint32_t tile;  ///< in the sources one after the other
   std::uint32_t lane;
 };
 
@@ -47,7 +47,8 @@ void write_tickets(const ParticleStore<Real>& from, std::uint32_t first_tile, co
       const auto* columns = from.tile(static_cast<std::size_t>(t));
       for (std::int32_t l = 0; l < W; ++l) {
         Ticket& ticket = tickets[(first_tile + static_cast<std::uint32_t>(t)) * W + static_cast<std::uint32_t>(l)];
-        ticket = {k_left_out, 0, static_cast<std::uint16_t>(tile.material), first_tile + static_cast<std::uint32_t>(t), static_cast<std::uint32_t>(l)};
+        ticket = {k_left_out, 0, static_cast<std::uint16_t>(tile.material), first_tile + static_cast<std::uint32_t>(t),
+                  static_cast<std::uint32_t>(l)};
         if (l >= tile.count || (leave_out && (*leave_out)(t, l))) continue;
         const Real x[3] = {columns[0][l], columns[1][l], columns[2][l]};
         const Home<Real> home = find_home(block.at, x);

@@ -66,9 +66,9 @@ struct HomeBlock {
   BlockIndex at;
   std::int32_t first_tile;
   std::int32_t tiles;
-  std::int32_t neighbour[27];            ///< grid blocks around it, (dx + 1) * 9 + (dy + 1) * 3 + dz + 1
-  bool at_face;                          ///< may its particles reach a face of the domain?
-  std::int8_t low[3], high[3];           ///< tile nodes (0..7) that its particles touched at the last scatter
+  std::int32_t neighbour[27];   ///< grid blocks around it, (dx + 1) * 9 + (dy + 1) * 3 + dz + 1
+  bool at_face;                 ///< may its particles reach a face of the domain?
+  std::int8_t low[3], high[3];  ///< tile nodes (0..7) that its particles touched at the last scatter
 };
 
 template <class Real>
