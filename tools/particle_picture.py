@@ -148,7 +148,7 @@ def browning(data):
     if "water_mass" not in data:
         return np.clip(0.75 * heat, 0, 1)
     water = data["water_mass"] / np.quantile(data["water_mass"], 0.9)
-    return np.clip(0.25 * heat + heat * np.clip((1 - water) / 0.35, 0, 1) * 0.75, 0, 1)
+    return np.clip(0.25 * heat + heat * np.clip((1 - water) / 0.6, 0, 1) * 0.75, 0, 1)
 
 
 def base_colours(data, arguments):
@@ -184,7 +184,7 @@ def render(points, colours, arguments):
     reach = 0.45 * spacing * view.scale
     depth = smooth_depth(buffer, seen >= 0, reach, radius)
     base = masked_blur(np.where(seen[..., None] >= 0, colours[seen], 0), seen >= 0, reach) ** 2.2
-    covered = blur((seen >= 0).astype(float), 0.8 * reach) > 0.6  # the outline without the scallops of single balls
+    covered = blur((seen >= 0).astype(float), 1.5 * reach) > 0.6  # the outline without the scallops of single balls
     depth = np.where(seen >= 0, depth, masked_blur(depth, seen >= 0, reach))
     floor = low[2] - 0.3 * spacing
 
@@ -208,8 +208,8 @@ def render(points, colours, arguments):
     sky = (0.5 + 0.5 * n[..., 2]) * (1 - 0.55 * hollow) * (1 - 0.35 * near_ground)
     sun = np.clip(n @ lamp_direction, 0, 1) * lit
     half_way = lamp_direction + view.toward
-    gloss = np.clip(n @ (half_way / np.linalg.norm(half_way)), 0, 1) ** 30 * lit * 0.10
-    body = base * (0.55 * sky + 0.85 * sun)[..., None] + gloss[..., None]
+    gloss = np.clip(n @ (half_way / np.linalg.norm(half_way)), 0, 1) ** 30 * lit * 0.035
+    body = base * (0.6 * sky + 0.95 * sun)[..., None] + gloss[..., None]
 
     under = blur(covered.astype(float), 0.02 * w)
     ground = GROUND ** 2.2 * (0.42 + 0.58 * lit - 0.22 * under * (1 - covered))[..., None]
