@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "solver/boundary/vector3.h"
+#include "solver/scene/scene.h"
 
 namespace bake {
 

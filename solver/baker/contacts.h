@@ -11,6 +11,8 @@
 
 namespace bake {
 
+struct Scene;
+
 /// Heat that a collider offers to the dough it touches.
 struct ContactHeat {
   double exchange = 0;     ///< beta [W/(m^2 K)]

@@ -20,6 +20,7 @@
 #include "solver/grid/block_kernel.h"
 #include "solver/grid/surface.h"
 #include "solver/io/checkpoint.h"
+#include "solver/scene/scene.h"
 
 namespace bake {
 

@@ -2,6 +2,7 @@
 #include "solver/baker/time_step.h"
 
 #include "solver/boundary/vector3.h"
+#include "solver/scene/scene.h"
 
 namespace bake {
 

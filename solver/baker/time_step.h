@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/scene/scene.h"
+#include "solver/scene/settings.h"
 
 namespace bake {
+
+struct Scene;
 
 /// Maxima over the particles that bound the step.
 struct Maxima {

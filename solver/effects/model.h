@@ -18,6 +18,7 @@
 #include "solver/effects/flip.h"
 #include "solver/effects/free_surface.h"
 #include "solver/effects/physics.h"
+#include "solver/scene/scene.h"
 
 namespace bake {
 

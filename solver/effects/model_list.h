@@ -15,6 +15,7 @@
 #include "solver/effects/physics.h"
 #include "solver/effects/plasticity.h"
 #include "solver/effects/water.h"
+#include "solver/scene/scene.h"
 
 namespace bake {
 

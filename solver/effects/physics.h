@@ -8,9 +8,11 @@
 
 #include "solver/core/lanes.h"
 #include "solver/effects/totals.h"
-#include "solver/scene/scene.h"
 
 namespace bake {
+
+struct Scene;
+struct Body;
 
 /// One step's numbers, in SI units.
 template <class Real>

@@ -9,8 +9,9 @@
 #include <cmath>
 #include <vector>
 
+#include "solver/boundary/shape.h"
 #include "solver/particles/store.h"
-#include "solver/scene/scene.h"
+#include "solver/scene/settings.h"
 
 namespace bake {
 

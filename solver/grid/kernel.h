@@ -9,7 +9,7 @@
 #pragma once
 
 #include "solver/core/lanes.h"
-#include "solver/scene/scene.h"
+#include "solver/scene/settings.h"
 
 namespace bake {
 

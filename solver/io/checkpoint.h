@@ -13,7 +13,8 @@
 #include <vector>
 
 #include "solver/io/hdf5.h"
-#include "solver/scene/scene.h"
+#include "solver/scene/input_error.h"
+#include "solver/scene/settings.h"
 
 namespace bake {
 

@@ -13,7 +13,7 @@
 #include <system_error>
 
 #include "solver/io/hdf5_driver.h"
-#include "solver/scene/scene.h"
+#include "solver/scene/input_error.h"
 
 namespace bake {
 namespace {

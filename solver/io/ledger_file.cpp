@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "solver/io/atomic_file.h"
-#include "solver/scene/scene.h"
+#include "solver/scene/input_error.h"
 
 namespace bake {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "solver/io/hdf5.h"
-#include "solver/scene/scene.h"
+#include "solver/scene/input_error.h"
 
 namespace bake {
 namespace {
