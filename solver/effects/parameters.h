@@ -6,7 +6,8 @@
 
 namespace bake {
 
-/// `standard` is this project's form; `published` is the equation as printed. See docs/departures.md.
+/// `standard` is this project's form; `published` is the equation as printed. Departures are marked
+/// DEPARTS where they are made.
 enum class Form { standard, published };
 constexpr auto choice_names(Form) { return std::array{"standard", "published"}; }
 
