@@ -63,6 +63,13 @@ class BlockKernelOf final : public BlockKernel<Real> {
   static constexpr int W = k_width<Real>;
   static constexpr int N = Kernel<order>::support;
 
+  /// 0, 1, 2, ...
+  static inline const V k_lane_numbers = [] {
+    V v{};
+    for (int l = 0; l < W; ++l) v[l] = static_cast<Real>(l);
+    return v;
+  }();
+
   /// Stencil of W particles in memory, lane by lane.
   struct Weights {
     alignas(64) Real w[3][N][W];
@@ -100,7 +107,7 @@ class BlockKernelOf final : public BlockKernel<Real> {
     for (int t = block.first_tile; t < block.first_tile + block.tiles; ++t) {
       const auto at = static_cast<std::size_t>(t);
       const int count = work.store->tiles[at].count;
-      for (int l = 0; l < W; ++l) report.alive[l] = l < count;
+      report.alive = k_lane_numbers < lanes<Real>(static_cast<Real>(count)) ? lanes<Real>(1) : V{};
       V* columns = work.store->tile(at);
       for (int c = 0; c < work.store->columns; ++c) __builtin_prefetch(columns + work.store->columns + c, 1);
       V x[3];
@@ -204,21 +211,21 @@ class BlockKernelOf final : public BlockKernel<Real> {
       }
   }
 
-  /// Asks for the grid rows that this block will add to, and those that the next one will read, while there is other work:
-  /// every block meets rows that no cache holds (a sixth of the time of a step, measured).
-  static void prefetch_ahead(const BlockWork<Real>& work, int index) {
-    const auto ask = [&](const HomeBlock& block, const Real* grid, int write) {
-      for_each_run(block, [&](std::size_t, std::size_t grid_row, int count) {
-        for (int i = 0; i < count; ++i)
-          for (int line = 0; line < RS; line += 64 / static_cast<int>(sizeof(Real))) {
-            const Real* at = grid + (grid_row + i) * RS + line;
-            write ? __builtin_prefetch(at, 1, 2) : __builtin_prefetch(at, 0, 2);
-          }
-      });
+  /// Asks for the grid rows that this block will add to, and those that the next one will read, while there is other work. Only
+  /// the block above (+z) is asked for: the others were touched by the block before in the column.
+  /// Inlined by force: GCC takes a function that only prefetches for one without effect, and drops its calls.
+  BAKE_INLINE static void prefetch_ahead(const BlockWork<Real>& work, int index) {
+    const auto ask = [](const HomeBlock& block, const Real* grid, auto write) __attribute__((always_inline)) {
+      constexpr int k_line = 64 / static_cast<int>(sizeof(Real));
+      for (int x = block.low[0]; x <= block.high[0]; ++x)
+        for (int y = block.low[1]; y <= block.high[1]; ++y) {
+          const Real* first = grid + grid_row(block, x - 1, y - 1, 4) * RS;
+          for (int i = 0; i < 2 * RS; i += k_line) __builtin_prefetch(first + i, decltype(write)::value, 2);
+        }
     };
     const auto& blocks = work.store->blocks;
-    ask(blocks[static_cast<std::size_t>(index)], work.scattered, 1);
-    if (index + 1 < static_cast<int>(blocks.size())) ask(blocks[static_cast<std::size_t>(index) + 1], work.gathered, 0);
+    ask(blocks[static_cast<std::size_t>(index)], work.scattered, std::true_type{});
+    if (index + 1 < static_cast<int>(blocks.size())) ask(blocks[static_cast<std::size_t>(index) + 1], work.gathered, std::false_type{});
   }
 
   static void load_tile(const Real* grid, const HomeBlock& block, Real* tile) {
@@ -354,44 +361,66 @@ class BlockKernelOf final : public BlockKernel<Real> {
     }
   }
 
-  /// Adds the particles below `count` that are not `outside` to the tile.
+  /// Adds the particles below `count` that are not `outside` to the tile. Neighbours in one cell (particles are sorted by cell)
+  /// share one pass over their nodes: half the loads and stores.
   BAKE_INLINE static void scatter(const Weights& weights, const Real* rows, LaneMask<Real> outside, int count, Real* tile) {
-    using R = Row<Real, RS>;
     for (int p = 0; p < count; ++p) {
       if (outside[p]) continue;
-      const Real* mine = rows + p * 4 * RS;
-      Real* first = tile + weights.node[p];
-      const R a = R::load(mine), bx = R::load(mine + RS), by = R::load(mine + 2 * RS), bz = R::load(mine + 3 * RS);
+      if (p + 1 < count && !outside[p + 1] && weights.node[p + 1] == weights.node[p]) {
+        scatter_together<2>(weights, rows, p, tile);
+        ++p;
+      } else {
+        scatter_together<1>(weights, rows, p, tile);
+      }
+    }
+  }
+
+  /// Particles p to p + many - 1, all of one cell.
+  template <int many>
+  BAKE_INLINE static void scatter_together(const Weights& weights, const Real* rows, int p, Real* tile) {
+    using R = Row<Real, RS>;
+    Real* first = tile + weights.node[p];
+    const Real* mine = rows + p * 4 * RS;
 #pragma GCC unroll 4
-      for (int j = 0; j < N; ++j) {
-        R aj = a;
-        aj.add(bx, Real(j - 1));
+    for (int j = 0; j < N; ++j) {
 #pragma GCC unroll 4
-        for (int k = 0; k < N; ++k) {
-          R ajk = aj;
-          ajk.add(by, Real(k - 1));
-          const Real w = weights.w[0][j][p] * weights.w[1][k][p];
-          const R value = ajk * w, slope = bz * w;
-          Real* node = first + (j * k_tile_side + k) * k_tile_side * RS;
+      for (int k = 0; k < N; ++k) {
+        R value[many], slope[many];
+#pragma GCC unroll 2
+        for (int m = 0; m < many; ++m) {
+          const Real* row = mine + m * 4 * RS;
+          const Real w = weights.w[0][j][p + m] * weights.w[1][k][p + m];
+          value[m] = R::load(row);
+          value[m].add(R::load(row + RS), Real(j - 1));
+          value[m].add(R::load(row + 2 * RS), Real(k - 1));
+          value[m] = value[m] * w;
+          slope[m] = R::load(row + 3 * RS) * w;
+        }
+        Real* node = first + (j * k_tile_side + k) * k_tile_side * RS;
 #pragma GCC unroll 4
-          for (int l = 0; l < N; ++l) {
-            R sum = R::load(node + l * RS);
-            const Real wl = weights.w[2][l][p];
-            sum.add(value, wl);
-            if (l != 1) sum.add(slope, wl * Real(l - 1));
-            sum.store(node + l * RS);
+        for (int l = 0; l < N; ++l) {
+          R sum = R::load(node + l * RS);
+#pragma GCC unroll 2
+          for (int m = 0; m < many; ++m) {
+            const Real wl = weights.w[2][l][p + m];
+            sum.add(value[m], wl);
+            if (l != 1) sum.add(slope[m], wl * Real(l - 1));
           }
+          sum.store(node + l * RS);
         }
       }
     }
   }
 
-  /// Lanes with a number in their state that is not finite.
+  /// Lanes with a number in their state that is not finite. Several sums, since one would wait for itself.
   BAKE_INLINE static LaneMask<Real> not_finite(const V* columns, int count) {
-    V health = V{};
-    for (int c = 0; c < count; ++c)
-      if (c != k_identity_column) health += columns[c] * 0;
-    return health != V{};
+    static_assert(k_position_column == 0 && k_identity_column == 3);
+    V health[4] = {columns[0] * 0, columns[1] * 0, columns[2] * 0, V{}};
+    int c = 4;
+    for (; c + 4 <= count; c += 4)
+      for (int i = 0; i < 4; ++i) health[i] += columns[c + i] * 0;
+    for (; c < count; ++c) health[0] += columns[c] * 0;
+    return (health[0] + health[1]) + (health[2] + health[3]) != V{};
   }
 
   /// The part of the tile that particles touched.
