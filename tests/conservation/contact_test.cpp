@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// Whatever pushes the dough is booked: momentum = start + impulses, angular momentum = start + twists.
+#include <gtest/gtest.h>
+
+#include "tests/conservation/dough.h"
+
+namespace bake {
+namespace {
+
+struct Push {
+  const char* name;
+  const char* gravity;
+  const char* body;
+  const char* domain;
+  const char* tables;
+};
+
+std::string name_of(const testing::TestParamInfo<std::tuple<Push, const char*, const char*>>& info) {
+  const auto& [push, effects, precision] = info.param;
+  return std::string(push.name) + (std::string_view(effects) == k_everything ? "Everything_" : "Elastic_") + precision;
+}
+
+class EveryPush : public testing::TestWithParam<std::tuple<Push, const char*, const char*>> {};
+
+TEST_P(EveryPush, IsBooked) {
+  const auto& [push, effects, precision] = GetParam();
+  Dough dough;
+  dough.effects = effects;
+  dough.precision = precision;
+  dough.gravity = push.gravity;
+  dough.body = push.body;
+  dough.domain = push.domain;
+  dough.tables = push.tables;
+  if (std::string_view(push.name).ends_with("Floor")) dough.ball = "sphere = { centre_m = [0, 0, -0.7], radius_m = 0.25 }";
+  const auto s = dough.begin();
+  const Sums start(*s);
+  constexpr double k_fastest = 4, k_reach = 2;  // [m/s], [m]
+  int steps = 0;
+  double pushed = 0;
+  take_steps(*s, 120, dough.dt, [&] {
+    const Sums now(*s);
+    // impulses of floors and walls go back and forth: what was booked in all bounds what round-off can be
+    const double scale = start.mass() * k_fastest;
+    ++steps;
+    for (std::size_t d = 0; d < 3; ++d) {
+      ASSERT_NEAR(now.momentum[d], start.momentum[d] + now.impulse[d], steps * round_off(precision) * scale) << d;
+      ASSERT_NEAR(now.angular[d], start.angular[d] + now.twist[d], steps * round_off(precision) * scale * k_reach) << d;
+    }
+    pushed = std::max(pushed, length(now.impulse));
+  });
+  EXPECT_GT(pushed, 0.01 * start.mass()) << "else nothing was tested";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, EveryPush,
+    testing::Combine(testing::Values(Push{"Gravity", "[1, -2, -9.81]", "", "", ""},
+                                     Push{"SeparatingFloor", "[0, 0, -9.81]", "velocity_m_per_s = [1, 0, -2]", "friction = 0.3", ""},
+                                     Push{"StickyFloor", "[0, 0, -9.81]", "velocity_m_per_s = [1, 0, -2]", "z_min = \"sticky\"", ""},
+                                     Push{"MovingCollider", "[0, 0, 0]", "", "",
+                                          R"([[collider]]
+shape = { box = { centre_m = [-0.6, 0, 0.1], half_extents_m = [0.3, 0.5, 0.2] } }
+contact = "separating"
+friction = 0.5
+motion = [{ time_s = 0 }, { time_s = 1, position_m = [2, 0, 0] }]
+)"},
+                                     Push{"StickyCollider", "[0, 0, 0]", "velocity_m_per_s = [0, 2, 0]", "",
+                                          R"([[collider]]
+shape = { half_space = { point_m = [0, 0.2, 0], normal = [0, -1, 0] } }
+contact = "sticky"
+)"},
+                                     Push{"TurningGrip", "[0, 0, 0]", "", "",
+                                          R"([[grip]]
+shape = { box = { centre_m = [0, 0, 0.25], half_extents_m = [0.3, 0.3, 0.1] } }
+motion = [{ time_s = 0 }, { time_s = 1, rotation_deg = [0, 0, 180] }]
+)"}),
+                     testing::Values("motion, elasticity", k_everything), testing::Values("double", "single")),
+    name_of);
+
+/// A ball thrown at the far face.
+Dough thrown(const char* face, const std::string& effects = "motion, elasticity") {
+  Dough dough;
+  dough.effects = effects;
+  dough.material = Dough::properties();
+  dough.body = "velocity_m_per_s = [5, 0, 0]";
+  dough.domain = std::string("x_max = \"") + face + "\"";
+  return dough;
+}
+
+TEST(AnOpenFace, RetiresAndBooksWhatPassesIt) {
+  const auto s = thrown("open", k_everything).begin();
+  const Sums start(*s);
+  const auto particles = static_cast<std::int64_t>(s->particles());
+  double retired = 0;  // a sample still holds those who leave in its own step
+  take_steps(*s, 200, 1e-3, [&] {
+    ASSERT_NEAR(Sums(*s).mass() + retired, start.mass(), 1e-10 * start.mass()) << "at t = " << s->time();
+    retired = s->counters().retired_mass;
+    ASSERT_EQ(static_cast<std::int64_t>(s->particles()) + s->counters().retired, particles);
+    ASSERT_EQ(s->counters().clamped, 0);
+  });
+  EXPECT_GT(s->counters().retired, particles / 4) << "else nothing was tested";
+}
+
+TEST(AnOpenFace, LetsEverybodyOutInTheEnd) {
+  const auto s = thrown("open").begin();
+  const auto particles = static_cast<std::int64_t>(s->particles());
+  EXPECT_TRUE(s->advance(1, 2));
+  EXPECT_EQ(s->particles(), 0u);
+  EXPECT_EQ(s->counters().retired, particles);
+  EXPECT_TRUE(s->snapshot().id.empty());
+}
+
+TEST(AClosedFace, LosesNobody) {
+  const auto s = thrown("separating").begin();
+  const std::size_t particles = s->particles();
+  EXPECT_TRUE(s->advance(0.4, 0.5));
+  EXPECT_EQ(s->particles(), particles);
+  EXPECT_EQ(s->counters().retired, 0);
+  for (const Vector3& x : s->snapshot().position) ASSERT_LE(x[0], 1);
+}
+
+TEST(AClosedFace, HoldsAndCountsWhoeverWouldPassIt) {
+  Dough dough = thrown("separating");
+  // a node inside the face is not stopped: particles less than a step away from it can reach it
+  dough.ball = "box = { centre_m = [0.74, 0, 0], half_extents_m = [0.26, 0.3, 0.3] }";
+  dough.body = "velocity_m_per_s = [5, 0, 0]\njitter = 1";
+  const auto s = dough.begin();
+  EXPECT_TRUE(s->advance(0.1, 0.2));
+  EXPECT_GT(s->counters().clamped, 0);
+  for (const Vector3& x : s->snapshot().position) ASSERT_LE(x[0], 1);
+}
+
+TEST(AnEmitter, PoursTheMassThatItBooks) {
+  for (const char* precision : {"double", "single"}) {
+    Dough dough;
+    dough.precision = precision;
+    dough.ball = "sphere = { centre_m = [0, 0, -0.7], radius_m = 0.2 }";
+    dough.tables = R"([[emitter]]
+material = "dough"
+shape = { cylinder = { from_m = [0, 0, 0.5], to_m = [0, 0, 0.6], radius_m = 0.2 } }
+velocity_m_per_s = [0, 0, -2]
+particles_per_cell = 8
+until_s = 0.3
+)";
+    const auto s = dough.begin();
+    const std::size_t before = s->particles();
+    EXPECT_TRUE(s->advance(0.32, 0.4));
+    const double M = Sums(*s).mass();
+    const Snapshot now = s->snapshot();
+    double of_particles = 0;
+    for (const double V : now["initial_volume"]) of_particles += 500 * V;
+    EXPECT_NEAR(M, of_particles, 1e-6 * M);
+    EXPECT_GT(s->particles(), before + 3 * 8 * 8);
+    // a portion every (its own length + one spacing) / speed, the first at once
+    const double length = 2 * 0.3, area = M_PI * 0.04;
+    EXPECT_NEAR(s->counters().emitted_mass, 500 * length * area, 0.25 * 500 * length * area);
+    EXPECT_NEAR(M, 500 * 4 / 3. * M_PI * 0.008 + s->counters().emitted_mass, 0.05 * M);
+  }
+}
+
+}  // namespace
+}  // namespace bake

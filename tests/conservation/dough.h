@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// A lump of dough for tests: a scene in pieces, steps of one length, and the ledger's sums by name.
+#pragma once
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "solver/baker/simulation.h"
+#include "solver/boundary/vector3.h"
+#include "solver/scene/reader.h"
+
+namespace bake {
+
+/// The default is an elastic ball at rest in the middle of a box, four cells in radius, without gravity.
+struct Dough {
+  std::string effects = "motion, elasticity";
+  std::string precision = "double";
+  double dx = 0.0625;  ///< a power of two: node positions are exact
+  double dt = 1e-3;
+  std::string ball = "sphere = { radius_m = 0.25 }";
+  std::string body;      ///< further keys of the body
+  std::string material;  ///< keys of the material instead of the defaults
+  std::string motion;    ///< keys of [motion]
+  std::string domain;    ///< faces of the domain
+  std::string run;       ///< further keys of [run]
+  std::string tables;    ///< further tables; pores are soft unless [leavening] is among them
+
+  std::string text() const {
+    std::string names;
+    for (std::size_t at = 0; at < effects.size();) {
+      const std::size_t end = std::min(effects.find(", ", at), effects.size());
+      if (end > at) names += (names.empty() ? "\"" : ", \"") + effects.substr(at, end - at) + "\"";
+      at = end + 2;
+    }
+    return fmt::format(R"(
+effects = [{}]
+[run]
+end_s = 100
+frame_rate_per_s = {:.17g}
+precision = "{}"
+{}
+[grid]
+dx_m = {:.17g}
+{}
+[domain]
+min_m = [-1, -1, -1]
+max_m = [1, 1, 1]
+{}
+[motion]
+{}
+{}
+[[material]]
+name = "dough"
+{}
+[[body]]
+material = "dough"
+particles_per_cell = 8
+shape = {{ {} }}
+{}
+)",
+                       names, 1 / dt, precision, run, dx, grid, domain, gravity.empty() ? motion : "gravity_m_per_s2 = " + gravity + "\n" + motion, tables,
+                       material.empty() ? properties() : material, ball, body) +
+           (tables.find("[leavening]") == std::string::npos ? "[leavening]\nreference_pressure_Pa = 4000\n" : "");
+  }
+  Scene scene() const { return parse_scene(text(), "dough.toml", {}); }
+  std::unique_ptr<Simulation> begin() const { return Simulation::begin(scene()); }
+
+  std::string gravity = "[0, 0, 0]";
+  std::string grid;  ///< further keys of [grid]
+
+  /// Table 2's bread, softer and slower where that saves steps. `extra` comes on top; nothing may be given twice.
+  static std::string properties(const std::string& water = "", const std::string& extra = "") {
+    return R"(
+density_kg_per_m3 = 500
+young_modulus_Pa = 2e4
+initial_saturation = 0.2
+initial_porosity = 0.2
+initial_temperature_C = 20
+specific_heat_J_per_kgK = 20
+water_specific_heat_J_per_kgK = 40
+conductivity_W_per_mK = 100
+expansion_per_K = 1e-4
+yield_stress_Pa = [200, 200, 150, 400]
+viscosity_Pa_s = [50, 50, 40, 40]
+temperatures_C = [4, 20, 60, 85]
+pressure_Pa = 300
+production_mol_per_kgs = 0.3
+)" + water + "\n" + extra;
+  }
+  static std::string moving_water() { return "diffusivity_m2_per_sK = 2e-4\nevaporation_kg_per_m2sK = 0.5"; }
+};
+
+inline constexpr const char* k_flip = "transfer = \"flip\"";
+inline constexpr const char* k_pic = "transfer = \"pic\"";
+inline constexpr const char* k_everything = "motion, heat, water, elasticity, plasticity, leavening";
+
+/// `count` steps of exactly `dt`, each sampled; calls visit() after each.
+template <class Visit>
+void take_steps(Simulation& s, int count, double dt, Visit visit) {
+  for (int i = 0; i < count; ++i) {
+    const std::int64_t before = s.counters().steps;
+    const double target = s.time() + dt;
+    ASSERT_TRUE(s.advance(target, target + dt));
+    ASSERT_EQ(s.counters().steps, before + 1) << "the step was cut: choose a smaller one";
+    visit();
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+inline void take_steps(Simulation& s, int count, double dt) {
+  take_steps(s, count, dt, [] {});
+}
+
+/// The ledger's sums at the last sample.
+struct Sums {
+  double solid, water, heat, gas, volume, kinetic, elastic;
+  Vector3 momentum, angular;
+  double evaporated, exchanged, latent, expansion, dissipated, limited;
+  Vector3 impulse, twist;
+
+  explicit Sums(const Simulation& s) {
+    const auto total = [&](Total t) { return s.totals()[static_cast<std::size_t>(t)]; };
+    const auto booked = [&](Entry e) { return s.booked()[static_cast<std::size_t>(e)]; };
+    solid = total(Total::solid_mass), water = total(Total::water_mass), heat = total(Total::heat_content), gas = total(Total::gas);
+    volume = total(Total::volume), kinetic = total(Total::kinetic), elastic = total(Total::elastic);
+    momentum = {total(Total::momentum_x), total(Total::momentum_y), total(Total::momentum_z)};
+    angular = {total(Total::angular_x), total(Total::angular_y), total(Total::angular_z)};
+    evaporated = booked(Entry::evaporated), exchanged = booked(Entry::exchanged), latent = booked(Entry::latent);
+    expansion = booked(Entry::expansion), dissipated = booked(Entry::dissipated), limited = booked(Entry::water_limited);
+    impulse = {booked(Entry::impulse_x), booked(Entry::impulse_y), booked(Entry::impulse_z)};
+    twist = {booked(Entry::twist_x), booked(Entry::twist_y), booked(Entry::twist_z)};
+  }
+  double mass() const { return solid + water; }
+};
+
+/// Relative error that one step may add to a sum that is kept to round-off. Double: the project's promise. Single: a sum passes
+/// through about 64 roundings a step (weights, at most 27 terms of a gather, as many of a scatter, the quotient), each of half
+/// an epsilon, all taken with the same sign.
+inline double round_off(const std::string& precision) { return precision == "double" ? 1e-12 : 32 * 1.19e-7; }
+
+}  // namespace bake

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// A spinning, stretched, warm lump of dough flies freely: what each effect must leave alone.
+#include <gtest/gtest.h>
+
+#include "tests/conservation/dough.h"
+
+namespace bake {
+namespace {
+
+struct Flight {
+  const char* name;
+  const char* effects;
+  const char* motion;
+  const char* precision;
+};
+
+std::string words(const testing::TestParamInfo<Flight>& info) { return std::string(info.param.name) + "_" + info.param.precision; }
+
+constexpr double k_speed = 1.5, k_spin = 8, k_radius = 0.25;
+constexpr int k_steps = 60;
+
+class AFreeFlight : public testing::TestWithParam<Flight> {
+ protected:
+  Dough dough;
+  void SetUp() override {
+    const Flight& flight = GetParam();
+    dough.effects = flight.effects;
+    dough.motion = flight.motion;
+    dough.precision = flight.precision;
+    dough.ball = "ellipsoid = { half_axes_m = [0.3, 0.25, 0.2] }";
+    dough.body = "velocity_m_per_s = [1.2, -0.5, 0.7]\nspin_rad_per_s = [5, 4, -5]\ntemperature_C = 40";
+    dough.tables = "[oven]\ntemperature_C = 100\nexchange_W_per_m2K = 1000\n";
+  }
+  double tolerance(int steps) const { return steps * round_off(dough.precision); }
+};
+
+TEST_P(AFreeFlight, KeepsSolidAndWater) {
+  const auto s = dough.begin();
+  const Sums start(*s);
+  EXPECT_GT(start.solid, 0);
+  int steps = 0;
+  take_steps(*s, k_steps, dough.dt, [&] {
+    const Sums now(*s);
+    ++steps;
+    ASSERT_NEAR(now.solid, start.solid, 1e-13 * start.solid);  // no particle's solid is ever touched: only the order of the sum
+    ASSERT_NEAR(now.water + now.evaporated, start.water, tolerance(steps) * start.water);
+    ASSERT_EQ(now.limited, 0);
+  });
+}
+
+TEST_P(AFreeFlight, KeepsMomentum) {
+  const auto s = dough.begin();
+  const Sums start(*s);
+  int steps = 0;
+  take_steps(*s, k_steps, dough.dt, [&] {
+    const Sums now(*s);
+    for (std::size_t d = 0; d < 3; ++d) ASSERT_NEAR(now.momentum[d], start.momentum[d], tolerance(++steps) * start.mass() * (k_speed + k_spin * k_radius));
+    ASSERT_EQ(now.impulse, (Vector3{0, 0, 0}));
+  });
+}
+
+TEST_P(AFreeFlight, KeepsAngularMomentum) {
+  if (std::string_view(GetParam().motion) != "") GTEST_SKIP() << "only APIC promises it";
+  const auto s = dough.begin();
+  const Sums start(*s);
+  int steps = 0;
+  take_steps(*s, k_steps, dough.dt, [&] {
+    const Sums now(*s);
+    const double scale = start.mass() * (k_speed + k_spin * k_radius) * 2 * k_radius;
+    for (std::size_t d = 0; d < 3; ++d) ASSERT_NEAR(now.angular[d], start.angular[d], tolerance(++steps) * scale);
+  });
+}
+
+TEST_P(AFreeFlight, KeepsHeatButForWhatIsExchangedAndForTheWorkOfExpansion) {
+  const auto s = dough.begin();
+  const Sums start(*s);
+  const bool warm = dough.effects.find("heat") != std::string::npos;
+  int steps = 0;
+  take_steps(*s, k_steps, dough.dt, [&] {
+    const Sums now(*s);
+    const double booked = start.heat + now.exchanged - now.latent - now.expansion;
+    ASSERT_NEAR(now.heat, booked, tolerance(++steps) * (start.heat + std::abs(now.exchanged)));
+  });
+  if (warm) {
+    EXPECT_GT(Sums(*s).heat, 1.05 * start.heat) << "the oven heats: else nothing was tested";
+    EXPECT_NE(Sums(*s).expansion, 0);
+  }
+}
+
+TEST_P(AFreeFlight, NeverGainsEnergyFromPlasticFlow) {
+  const auto s = dough.begin();
+  double dissipated = 0;
+  take_steps(*s, k_steps, dough.dt, [&] {
+    const Sums now(*s);
+    ASSERT_GE(now.dissipated, dissipated);
+    dissipated = now.dissipated;
+  });
+  const bool plastic = dough.effects.find("plasticity") != std::string::npos;
+  EXPECT_EQ(dissipated > 0, plastic) << "the spin makes it yield: else nothing was tested";
+}
+
+TEST_P(AFreeFlight, MakesAsMuchGasAsTheReactionSays) {
+  if (dough.effects.find("leavening") == std::string::npos) GTEST_SKIP() << "no leavening";
+  dough.tables = "";  // no oven, no conduction, no expansion: the temperature stays
+  dough.material = Dough::properties();
+  for (const char* key : {"conductivity_W_per_mK = 100", "expansion_per_K = 1e-4"}) {
+    const std::size_t at = dough.material.find(key);
+    dough.material.replace(at, std::string(key).size(), std::string(key).substr(0, std::string(key).find('=')) + "= 0");
+  }
+  const auto s = dough.begin();
+  const double V_0 = Sums(*s).volume;
+  int steps = 0;
+  take_steps(*s, k_steps, dough.dt, [&] {
+    const double made = V_0 * 500 * 0.3 * ++steps * dough.dt;  // at 40 C, the peak of the bell curve
+    ASSERT_NEAR(Sums(*s).gas, made, tolerance(steps) * made + 1e-15);
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, AFreeFlight,
+                         testing::Values(Flight{"Elastic", "motion, elasticity", "", "double"},           //
+                                         Flight{"Elastic", "motion, elasticity", "", "single"},           //
+                                         Flight{"ElasticFlip", "motion, elasticity", k_flip, "double"},   //
+                                         Flight{"ElasticPic", "motion, elasticity", k_pic, "double"},     //
+                                         Flight{"Plastic", "motion, elasticity, plasticity", "", "double"},
+                                         Flight{"Plastic", "motion, elasticity, plasticity", "", "single"},
+                                         Flight{"Heat", "motion, heat, elasticity", "", "double"},
+                                         Flight{"Heat", "motion, heat, elasticity", "", "single"},
+                                         Flight{"Water", "motion, water, elasticity", "", "double"},
+                                         Flight{"Water", "motion, water, elasticity", "", "single"},
+                                         Flight{"Everything", k_everything, "", "double"},
+                                         Flight{"Everything", k_everything, "", "single"},
+                                         Flight{"EverythingFlip", k_everything, k_flip, "double"}),
+                         words);
+
+}  // namespace
+}  // namespace bake

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// What physics does not care about, the solver does not care about either.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <map>
+#include <random>
+
+#include "solver/particles/order.h"
+#include "tests/conservation/dough.h"
+
+namespace bake {
+namespace {
+
+/// Particles of a ball of everything, on a grid of 2^-20 so that shifts by cells are exact.
+std::vector<NewParticle> ball_of(const Scene& scene, const Point& centre) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<NewParticle> particles;
+  while (particles.size() < 1500) {
+    Vector3 r{uniform(random), uniform(random), uniform(random)};
+    for (double& c : r) c = std::ldexp(std::round(std::ldexp(0.25 * c, 20)), -20);
+    if (length(r) > 0.25) continue;
+    const Vector3 spin{3, -4, 5};
+    const Vector3 stretch{2 * r[0], -r[1], 3 * r[2]};
+    particles.push_back({centre + r, 0.0625 * 0.0625 * 0.0625 / 10, 0, cross(spin, r) + stretch, spin, &scene.bodies[0]});
+  }
+  return particles;
+}
+
+/// Position and the stored numbers of every particle, by identity.
+struct Now {
+  Point x;
+  std::vector<double> columns;
+};
+template <class Real>
+std::map<std::int64_t, Now> particles_of(const Engine<Real>& engine) {
+  std::map<std::int64_t, Now> all;
+  const auto& store = engine.store();
+  for (const HomeBlock& block : store.blocks)
+    for (std::int32_t t = block.first_tile; t < block.first_tile + block.tiles; ++t)
+      for (int l = 0; l < store.tiles[static_cast<std::size_t>(t)].count; ++l) {
+        const auto* columns = store.tile(static_cast<std::size_t>(t));
+        Now now{engine.lattice().origin(block.at), {}};
+        for (std::size_t d = 0; d < 3; ++d) now.x[d] += engine.lattice().dx() * static_cast<double>(columns[d][l]);
+        for (int c = 4; c < store.columns; ++c) now.columns.push_back(static_cast<double>(columns[c][l]));
+        Real identity = columns[k_identity_column][l];
+        std::int64_t id = 0;
+        if constexpr (sizeof(Real) == 4)
+          id = std::bit_cast<std::int32_t>(identity);
+        else
+          id = static_cast<std::int64_t>(identity);
+        all.emplace(id, now);
+      }
+  return all;
+}
+
+Dough everything() {
+  Dough dough;
+  dough.effects = k_everything;
+  dough.material = Dough::properties(Dough::moving_water());
+  dough.body = "temperature_C = 40";
+  dough.tables = "[oven]\ntemperature_C = 100\nexchange_W_per_m2K = 100\n";
+  return dough;
+}
+
+constexpr int k_steps = 40;
+
+template <class Real>
+std::map<std::int64_t, Now> flown(const Scene& scene, const std::vector<NewParticle>& particles, int steps = k_steps) {
+  Engine<Real> engine(scene);
+  engine.add(particles);
+  const double dt = 1 / scene.run.frame_rate_per_s;
+  engine.start(dt);
+  for (int i = 0; i < steps; ++i) engine.step((i + 1) * dt, (i + 2) * dt);
+  EXPECT_EQ(engine.counters().steps, steps);
+  return particles_of(engine);
+}
+
+TEST(TheResult, ShiftedByAnEvenNumberOfBlocksHasTheSameBits) {
+  // Sums at a node run by colour of its blocks' columns, and colours repeat after two blocks, eight cells.
+  const auto check = [&]<class Real>(Real, const char* precision) {
+    Dough dough = everything();
+    dough.precision = precision;
+    const Scene scene = dough.scene();
+    const auto here = flown<Real>(scene, ball_of(scene, {-0.25, -0.25, -0.25}));
+    const auto there = flown<Real>(scene, ball_of(scene, {0.25, 0.25, 0.25}));
+    ASSERT_EQ(here.size(), there.size());
+    for (const auto& [id, now] : here) {
+      ASSERT_EQ(now.columns, there.at(id).columns) << id;
+      for (std::size_t d = 0; d < 3; ++d) ASSERT_NEAR(now.x[d] + 0.5, there.at(id).x[d], 1e-15);  // the sum rounds, the state does not
+    }
+  };
+  check(float(), "single");
+  check(double(), "double");
+}
+
+void expect_close(const std::map<std::int64_t, Now>& a, const std::map<std::int64_t, Now>& b, const Vector3& mirror, const Vector3& shift, double bound) {
+  ASSERT_EQ(a.size(), b.size());
+  double worst = 0;
+  for (const auto& [id, now] : a)
+    for (std::size_t d = 0; d < 3; ++d) worst = std::max(worst, std::abs(mirror[d] * now.x[d] + shift[d] - b.at(id).x[d]));
+  EXPECT_LE(worst, bound);
+}
+
+// Round-off of 1e-16 grows while waves run through the ball, but over 40 steps by no more than a few thousand times.
+constexpr double k_close = 1e-11;
+
+TEST(TheResult, ShiftedByOneCellIsTheSameToRoundOff) {
+  const Scene scene = everything().scene();
+  expect_close(flown<double>(scene, ball_of(scene, {0, 0, 0})), flown<double>(scene, ball_of(scene, {0.0625, 0.125, -0.1875})), {1, 1, 1},
+               {0.0625, 0.125, -0.1875}, k_close);
+}
+
+TEST(TheResult, InTheMirrorIsTheMirroredResult) {
+  const Scene scene = everything().scene();
+  const auto particles = ball_of(scene, {0.05, 0.1, 0.02});
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    auto mirrored = particles;
+    Vector3 mirror{1, 1, 1};
+    mirror[axis] = -1;
+    for (NewParticle& p : mirrored) {
+      p.x[axis] = -p.x[axis];
+      p.velocity[axis] = -p.velocity[axis];
+      for (std::size_t d = 0; d < 3; ++d) p.spin[d] *= d == axis ? 1 : -1;  // an axial vector
+    }
+    expect_close(flown<double>(scene, particles), flown<double>(scene, mirrored), mirror, {0, 0, 0}, k_close);
+  }
+}
+
+TEST(TheResult, DoesNotDependOnTheOrderOfTheParticles) {
+  const Scene scene = everything().scene();
+  const auto particles = ball_of(scene, {0, 0, 0});
+  auto reversed = particles;
+  std::reverse(reversed.begin(), reversed.end());
+  const auto a = flown<double>(scene, particles);
+  std::map<std::int64_t, Now> b;
+  for (auto& [id, now] : flown<double>(scene, reversed)) b.emplace(static_cast<std::int64_t>(particles.size()) - 1 - id, now);
+  expect_close(a, b, {1, 1, 1}, {0, 0, 0}, k_close);
+}
+
+// A grid is no Galilean thing: a body that deforms feels where it is between the nodes. What must hold exactly is that uniform
+// motion does nothing: no stress, no heat, no water moves, and exchange with the oven pushes nothing.
+TEST(UniformMotion, DoesNothingToDoughInEquilibrium) {
+  Dough dough = everything();
+  dough.material = Dough::properties();
+  dough.tables = "";
+  dough.body = "velocity_m_per_s = [3, -2, 1.5]";
+  const std::string key = "production_mol_per_kgs = 0.3";
+  dough.material.replace(dough.material.find(key), key.size(), "");
+  const auto s = dough.begin();
+  const auto start = s->snapshot();
+  take_steps(*s, 100, dough.dt);
+  const auto now = s->snapshot();
+  for (std::size_t i = 0; i < now.id.size(); ++i) {
+    ASSERT_NEAR(now.velocity[i][0], 3, 1e-9);
+    ASSERT_NEAR(now.velocity[i][1], -2, 1e-9);
+    ASSERT_NEAR(now.velocity[i][2], 1.5, 1e-9);
+    ASSERT_NEAR(now.position[i][0], start.position[i][0] + 0.3, 1e-10);
+    ASSERT_NEAR(now["volume_ratio"][i], 1, 1e-9);
+    ASSERT_NEAR(now["temperature"][i], 20, 20e-9);
+    ASSERT_NEAR(now["water_mass"][i], start["water_mass"][i], 1e-9 * start["water_mass"][i]);
+    ASSERT_EQ(now["plastic_volume_ratio"][i], 1);
+  }
+}
+
+// The velocities of a snapshot are those of its particles, also where particles have just changed their blocks.
+TEST(ASnapshot, ShowsEveryParticlesOwnVelocity) {
+  Dough dough;
+  dough.body = "spin_rad_per_s = [0, 0, 8]\nvelocity_m_per_s = [3, 1, 0]";
+  dough.dt = 2e-3;
+  const auto s = dough.begin();
+  const std::int64_t orderings = s->counters().orderings;
+  auto before = s->snapshot();
+  take_steps(*s, 100, dough.dt, [&] {
+    const auto now = s->snapshot();
+    for (std::size_t i = 0; i < now.id.size(); ++i)  // x moves by dt v, v being the interpolated velocity after the step
+      for (std::size_t d = 0; d < 3; ++d)
+        ASSERT_NEAR(now.velocity[i][d], (now.position[i][d] - before.position[i][d]) / dough.dt, 1e-11) << "particle " << i << " at t = " << s->time();
+    before = now;
+  });
+  EXPECT_GT(s->counters().orderings, orderings) << "nobody changed its block: nothing was tested";
+}
+
+/// Positions after some steps of a ball that falls on the floor, turning.
+std::vector<Vector3> fallen(const std::string& effects, const std::string& material, const std::string& tables = "") {
+  Dough dough;
+  dough.effects = effects;
+  dough.ball = "sphere = { centre_m = [0, 0, -0.7], radius_m = 0.25 }";
+  dough.body = "velocity_m_per_s = [0, 0, -3]\nspin_rad_per_s = [2, 3, 4]";
+  dough.gravity = "[0, 0, -9.81]";
+  dough.material = "density_kg_per_m3 = 500\nyoung_modulus_Pa = 2e4\n" + material;
+  dough.tables = tables;
+  const auto s = dough.begin();
+  take_steps(*s, 60, dough.dt);
+  return s->snapshot().position;
+}
+
+TEST(AnEffect, WithParametersOfZeroIsAnEffectThatIsNotThere) {
+  const auto without = fallen("motion, elasticity", "");
+  const char* k_heat = "specific_heat_J_per_kgK = 20\nconductivity_W_per_mK = 0\n";
+  const char* k_strong = "yield_stress_Pa = 1e30\n";
+  const std::vector<std::pair<std::string, std::vector<Vector3>>> others = {
+      {"heat", fallen("motion, heat, elasticity", k_heat)},
+      {"water", fallen("motion, water, elasticity", "initial_saturation = 0.2\n")},
+      {"plasticity", fallen("motion, elasticity, plasticity", k_strong)},
+      {"leavening", fallen("motion, heat, elasticity, plasticity, leavening", std::string(k_heat) + k_strong, "[leavening]\nreference_pressure_Pa = 1e-30\n")},
+      {"everything", fallen(k_everything, std::string(k_heat) + k_strong + "initial_saturation = 0.2\n", "[leavening]\nreference_pressure_Pa = 1e-30\n")},
+  };
+  for (const auto& [name, with] : others) {
+    ASSERT_EQ(with.size(), without.size());
+    double worst = 0;
+    for (std::size_t i = 0; i < with.size(); ++i) worst = std::max(worst, length(with[i] - without[i]));
+    EXPECT_LE(worst, k_close) << name;
+  }
+}
+
+}  // namespace
+}  // namespace bake

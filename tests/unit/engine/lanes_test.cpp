@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "solver/core/lanes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace bake {
+namespace {
+
+template <class Real>
+class Lanes : public testing::Test {};
+using Reals = testing::Types<float, double>;
+TYPED_TEST_SUITE(Lanes, Reals);
+
+template <class Real>
+using Pack = bake::Lanes<Real>;
+
+TYPED_TEST(Lanes, FillOneRegister) {
+  EXPECT_EQ(sizeof(Pack<TypeParam>), std::size_t{k_register_bytes});
+  EXPECT_EQ(k_width<TypeParam> * sizeof(TypeParam), std::size_t{k_register_bytes});
+}
+
+TYPED_TEST(Lanes, KeepOneNumberInEveryLane) {
+  for (const TypeParam x : {TypeParam(0.1), TypeParam(-3e30), std::numeric_limits<TypeParam>::denorm_min()})
+    for (int l = 0; l < k_width<TypeParam>; ++l) EXPECT_EQ(lanes<TypeParam>(x)[l], x);
+}
+
+TYPED_TEST(Lanes, TransposeSwapsRowsAndColumns) {
+  constexpr int W = k_width<TypeParam>;
+  Pack<TypeParam> rows[W];
+  for (int i = 0; i < W; ++i)
+    for (int j = 0; j < W; ++j) rows[i][j] = static_cast<TypeParam>(100 * i + j);
+  transpose(rows);
+  for (int i = 0; i < W; ++i)
+    for (int j = 0; j < W; ++j) EXPECT_EQ(rows[i][j], static_cast<TypeParam>(100 * j + i)) << i << " " << j;
+}
+
+TYPED_TEST(Lanes, AnyFindsOneTrueLaneWhereverItIs) {
+  const auto zero = lanes<TypeParam>(0);
+  EXPECT_FALSE(any(zero > zero));
+  for (int l = 0; l < k_width<TypeParam>; ++l) {
+    auto one = zero;
+    one[l] = 1;
+    EXPECT_TRUE(any(one > zero)) << l;
+  }
+}
+
+TYPED_TEST(Lanes, FindLargestSmallestAndSumWhereverTheyAre) {
+  for (int l = 0; l < k_width<TypeParam>; ++l) {
+    auto a = lanes<TypeParam>(2);
+    a[l] = 7;
+    EXPECT_EQ(largest_lane(a), TypeParam(7));
+    EXPECT_EQ(smallest_lane(-a), TypeParam(-7));
+    EXPECT_EQ(sum_lanes(a), 2.0 * k_width<TypeParam> + 5);
+  }
+}
+
+TYPED_TEST(Lanes, ClampBetweenTwoLimits) {
+  const auto low = lanes<TypeParam>(-1), high = lanes<TypeParam>(2);
+  EXPECT_EQ(clamp(lanes<TypeParam>(-5), low, high)[0], TypeParam(-1));
+  EXPECT_EQ(clamp(lanes<TypeParam>(5), low, high)[0], TypeParam(2));
+  EXPECT_EQ(clamp(lanes<TypeParam>(1.5), low, high)[0], TypeParam(1.5));
+  EXPECT_EQ(abs(lanes<TypeParam>(-3))[0], TypeParam(3));
+}
+
+/// Largest error of f in units of the last place, against the same function in long double.
+template <class Real, class Function, class Exact>
+double error_in_ulps(Function f, Exact exact, double low, double high) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> uniform(low, high);
+  double worst = 0;
+  for (int i = 0; i < 4000; ++i) {
+    Pack<Real> x;
+    for (int l = 0; l < k_width<Real>; ++l) x[l] = static_cast<Real>(uniform(random));
+    const Pack<Real> y = f(x);
+    for (int l = 0; l < k_width<Real>; ++l) {
+      const auto right = exact(static_cast<long double>(x[l]));
+      const auto ulp = static_cast<long double>(std::numeric_limits<Real>::epsilon()) * std::abs(right);
+      if (right != 0) worst = std::max(worst, static_cast<double>(std::abs(static_cast<long double>(y[l]) - right) / ulp));
+    }
+  }
+  return worst;
+}
+
+// Eigen states a few units in the last place for its packet functions; 4 still catches a lost digit (10 units) at once.
+constexpr double k_ulps = 4;
+
+TYPED_TEST(Lanes, SquareRootAgreesWithTheStandardLibrary) {
+  EXPECT_LE(error_in_ulps<TypeParam>([](auto x) { return sqrt(x); }, [](long double x) { return std::sqrt(x); }, 0, 1e6), 2);  // by reciprocal and Newton
+}
+TYPED_TEST(Lanes, LogarithmAgreesWithTheStandardLibrary) {
+  const auto f = [](auto x) { return log(x); };
+  const auto exact = [](long double x) { return std::log(x); };
+  EXPECT_LE(error_in_ulps<TypeParam>(f, exact, 1e-6, 0.9), k_ulps);
+  EXPECT_LE(error_in_ulps<TypeParam>(f, exact, 1.1, 1e6), k_ulps);
+}
+TYPED_TEST(Lanes, ExponentialAgreesWithTheStandardLibrary) {
+  EXPECT_LE(error_in_ulps<TypeParam>([](auto x) { return exp(x); }, [](long double x) { return std::exp(x); }, -20, 20), k_ulps);
+}
+TYPED_TEST(Lanes, LogarithmNearOneKeepsItsDigits) {
+  const auto f = [](auto x) { return log1p(x); };
+  const auto exact = [](long double x) { return std::log1p(x); };
+  for (const double size : {1e-6, 1e-3, 0.1, 0.9}) EXPECT_LE(error_in_ulps<TypeParam>(f, exact, -size, size), k_ulps) << size;
+}
+TYPED_TEST(Lanes, ExponentialNearZeroKeepsItsDigits) {
+  const auto f = [](auto x) { return expm1(x); };
+  const auto exact = [](long double x) { return std::expm1(x); };
+  for (const double size : {1e-6, 1e-3, 0.1, 2.0}) EXPECT_LE(error_in_ulps<TypeParam>(f, exact, -size, size), k_ulps) << size;
+}
+
+}  // namespace
+}  // namespace bake

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "solver/effects/physics.h"
+#include "tests/conservation/dough.h"
+
+namespace bake {
+namespace {
+
+/// What a composition costs: numbers per particle, and per node before and after the grid update.
+struct Cost {
+  const char* effects;
+  const char* motion;
+  int columns, scattered, gathered;
+};
+
+// By hand. Particle: position 3, identity, volume, mass = 6; motion J = 1; FLIP velocity 3; heat theta and peak = 2; water m_w and
+// its last momentum 3 = 4; elasticity b_E = 6; plasticity J_P = 1; leavening nu and c = 2. Node, scattered: momentum 3 and
+// mass = 4; FLIP 3; volume 1 with heat or water; heat capacity, content, change = 3; water mass, capacity, change,
+// evaporability = 4. Gathered: velocity 3; FLIP 3; heat 2; water 2.
+constexpr Cost k_costs[] = {
+    {"heat", "", 8, 4, 2},
+    {"water", "", 10, 5, 2},
+    {"heat, water", "", 12, 8, 4},
+    {"motion, elasticity", "", 13, 4, 3},
+    {"motion, heat, elasticity", "", 15, 8, 5},
+    {"motion, water, elasticity", "", 17, 9, 5},
+    {"motion, heat, water, elasticity", "", 19, 12, 7},
+    {"motion, elasticity, plasticity", "", 14, 4, 3},
+    {"motion, heat, elasticity, plasticity", "", 16, 8, 5},
+    {"motion, water, elasticity, plasticity", "", 18, 9, 5},
+    {"motion, heat, water, elasticity, plasticity", "", 20, 12, 7},
+    {"motion, heat, elasticity, plasticity, leavening", "", 18, 8, 5},
+    {"motion, heat, water, elasticity, plasticity, leavening", "", 22, 12, 7},
+    {"motion, elasticity", k_flip, 16, 7, 6},
+    {"motion, elasticity, plasticity", k_flip, 17, 7, 6},
+    {"motion, heat, water, elasticity, plasticity, leavening", k_flip, 25, 15, 10},
+};
+
+Scene scene_with(const char* effects, const char* motion) {
+  Dough dough;
+  dough.effects = effects;
+  dough.motion = motion;
+  return dough.scene();
+}
+
+TEST(AnEffectThatIsNotListed, CostsNothing) {
+  for (const Cost& cost : k_costs) {
+    const auto physics = make_physics<float>(scene_with(cost.effects, cost.motion));
+    EXPECT_EQ(physics->column_count, cost.columns) << cost.effects << " " << cost.motion;
+    EXPECT_EQ(physics->scatter_channels, cost.scattered) << cost.effects << " " << cost.motion;
+    EXPECT_EQ(physics->gather_channels, cost.gathered) << cost.effects << " " << cost.motion;
+    const auto in_double = make_physics<double>(scene_with(cost.effects, cost.motion));
+    EXPECT_EQ(in_double->column_count, cost.columns);
+    EXPECT_EQ(in_double->scatter_channels, cost.scattered);
+  }
+}
+
+TEST(AModel, HasOnlyTheColumnsOfItsEffects) {
+  const auto physics = make_physics<double>(scene_with("heat", ""));
+  std::string names;
+  for (const auto& column : physics->columns) names += column.name + " ";
+  EXPECT_EQ(names, "position id initial_volume solid_mass temperature peak_temperature ");
+  EXPECT_FALSE(physics->moves);
+  EXPECT_TRUE(physics->has_heat);
+  EXPECT_FALSE(physics->has_water);
+}
+
+/// The message for a combination that is not compiled.
+std::string refusal(const char* effects, const char* motion = "") {
+  try {
+    make_physics<float>(scene_with(effects, motion));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+TEST(AModel, OfUnknownCombinationIsRefusedInOneLineThatListsAllKnownOnes) {
+  for (const char* effects : {"motion", "", "motion, heat", "motion, heat, water"}) {
+    const std::string message = refusal(effects);
+    EXPECT_EQ(message.find("dough.toml: effects: found "), 0u) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos);
+    for (const char* known : {" heat, ", " water, ", " heat+water, ", " motion+elasticity, ", "+plasticity+leavening"})
+      EXPECT_NE(message.find(known), std::string::npos) << known << " in " << message;
+  }
+  EXPECT_NE(refusal("").find("found none, allowed: "), std::string::npos);
+  EXPECT_NE(refusal("motion").find("found motion, allowed: "), std::string::npos);
+}
+
+TEST(AModel, WithFlipIsRefusedWhereFlipWasNotCompiled) {
+  const std::string message = refusal("motion, heat, elasticity", k_flip);
+  EXPECT_NE(message.find("with transfer = \"flip\""), std::string::npos) << message;
+}
+
+}  // namespace
+}  // namespace bake

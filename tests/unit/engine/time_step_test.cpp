@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "solver/baker/time_step.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/engine/particle_of_everything.h"
+
+namespace bake {
+namespace {
+
+constexpr double k_dx = 0.1;
+
+StepLimit limit(const Maxima& maxima, double contact_speed = 0, const std::string& tables = "[motion]\ngravity_m_per_s2 = [0, 0, 0]\n") {
+  return StepLimits(scene_of_everything("yield_stress_Pa = 1\n", tables)).largest(maxima, contact_speed);
+}
+
+TEST(TheTimeStep, HasNoLimitWhereNothingMovesOrFlows) { EXPECT_EQ(limit({}).dt, k_infinity); }
+
+TEST(TheTimeStep, LetsNoWaveCrossMoreThanHalfACell) {
+  const StepLimit found = limit({.wave2 = 400});
+  EXPECT_DOUBLE_EQ(found.dt, 0.5 * k_dx / 20);
+  EXPECT_STREQ(found.reason, "stiffness (elastic, pore gas and water)");
+}
+TEST(TheTimeStep, KeepsExplicitConductionStable) { EXPECT_DOUBLE_EQ(limit({.heat = 0.01}).dt, 0.5 * k_dx * k_dx / 0.06); }
+TEST(TheTimeStep, KeepsWaterDiffusionStable) { EXPECT_DOUBLE_EQ(limit({.water = 0.02}).dt, 0.5 * k_dx * k_dx / 0.12); }
+TEST(TheTimeStep, KeepsTheDeformationOfAStepBelowAHalf) { EXPECT_DOUBLE_EQ(limit({.deformation2 = 100}).dt, 0.05); }
+TEST(TheTimeStep, LetsNoParticleTravelBeyondItsShareOfACell) { EXPECT_DOUBLE_EQ(limit({.speed2 = 9}).dt, 0.3 * k_dx / 3); }
+TEST(TheTimeStep, LetsNoColliderTravelBeyondIt) { EXPECT_DOUBLE_EQ(limit({.speed2 = 9}, 6).dt, 0.3 * k_dx / 6); }
+TEST(TheTimeStep, LetsNothingFallBeyondIt) {
+  EXPECT_DOUBLE_EQ(limit({}, 0, "[motion]\ngravity_m_per_s2 = [0, 0, -10]\n").dt, std::sqrt(0.3 * k_dx / 10));
+}
+TEST(TheTimeStep, IsTheSmallestOfAllLimits) {
+  const Maxima all{.speed2 = 1, .wave2 = 1e4, .heat = 1e-3, .water = 1e-3, .deformation2 = 1};
+  EXPECT_DOUBLE_EQ(limit(all).dt, 0.5 * k_dx / 100);
+  EXPECT_DOUBLE_EQ(limit(all, 0, "[time]\nlargest_step_s = 1e-5\n").dt, 1e-5);
+  EXPECT_STREQ(limit(all, 0, "[time]\nlargest_step_s = 1e-5\n").reason, "time.largest_step_s");
+}
+TEST(TheTimeStep, ScalesWithSafety) {
+  const std::string tables = "[motion]\ngravity_m_per_s2 = [0, 0, 0]\n[time]\nsafety = 0.25\n";
+  EXPECT_DOUBLE_EQ(limit({.wave2 = 400}, 0, tables).dt, 0.25 * k_dx / 20);
+}
+
+}  // namespace
+}  // namespace bake
