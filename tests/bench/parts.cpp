@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Parts of a step by themselves; the laws on inputs that stay in the first-level cache.
+#include <benchmark/benchmark.h>
+#include <omp.h>
+
+#include <random>
+
+#include "solver/baker/engine.h"
+#include "solver/baker/fill_scene.h"
+#include "solver/core/symmetric.h"
+#include "solver/particles/order.h"
+#include "tests/bench/scenes.h"
+#include "tests/bench/steps.h"
+
+namespace bake::bench {
+
+namespace {
+
+void count_particles(benchmark::State& state, double per_iteration) {
+  using benchmark::Counter;
+  const double done = per_iteration * static_cast<double>(state.iterations());
+  state.counters["M/s"] = Counter(1e-6 * done, Counter::kIsRate);
+  state.counters["ns"] = Counter(1e-9 * done, Counter::kIsRate | Counter::kInvert);
+}
+
+template <class Real>
+void order_500K(benchmark::State& state, int threads) {
+  const int all = omp_get_max_threads();
+  const Precision precision = sizeof(Real) == 4 ? Precision::single_precision : Precision::double_precision;
+  const Scene scene = loaf(k_combinations[12], precision, 5e5);
+  Engine<Real> engine(scene);
+  engine.add(fill_bodies(scene));
+  engine.start(1);
+  for (int step = 0; step < 20; ++step) engine.step(1, 1);
+  ParticleStore<Real> to;
+  to.columns = engine.store().columns;
+  omp_set_num_threads(threads);
+  order_particles<Real>(engine.store(), nullptr, engine.lattice(), nullptr, to);  // takes the memory
+  for ([[maybe_unused]] auto once : state) order_particles<Real>(engine.store(), nullptr, engine.lattice(), nullptr, to);
+  omp_set_num_threads(all);
+  count_particles(state, static_cast<double>(engine.particles()));
+}
+
+constexpr int k_tiles = 32;
+
+template <class Real>
+Lanes<Real> random_lanes(std::mt19937& random, double low, double high) {
+  std::uniform_real_distribution<double> between(low, high);
+  Lanes<Real> result;
+  for (int l = 0; l < k_width<Real>; ++l) result[l] = static_cast<Real>(between(random));
+  return result;
+}
+
+/// Strains of up to two per cent, as in dough; all within the series.
+template <class Real>
+std::vector<Symmetric<Lanes<Real>>> strains() {
+  std::mt19937 random(1);
+  std::vector<Symmetric<Lanes<Real>>> result(k_tiles);
+  for (auto& strain : result)
+    for (auto& component : strain.at) component = random_lanes<Real>(random, -0.02, 0.02);
+  return result;
+}
+
+template <class Real, class Function>
+void time_function(benchmark::State& state, Function f) {
+  auto in = strains<Real>();
+  for ([[maybe_unused]] auto once : state) {
+    for (auto& strain : in) {
+      auto result = f(strain);
+      benchmark::DoNotOptimize(result);
+    }
+    benchmark::ClobberMemory();
+  }
+  count_particles(state, k_tiles * k_width<Real>);
+}
+
+template <class Real>
+void half_log(benchmark::State& state) {
+  time_function<Real>(state, [](const auto& b) { return half_log1p<Real>(b); });
+}
+template <class Real>
+void expm1_of_twice(benchmark::State& state) {
+  time_function<Real>(state, [](const auto& h) { return expm1_twice<Real>(h); });
+}
+
+/// Newton's iteration for the dough of fig. 15 with trial stresses from nothing to one and a half times the yield stress, of
+/// which most flow; dt = 1 ms.
+template <class Real>
+void return_map(benchmark::State& state, bool quadratic) {
+  using V = Lanes<Real>;
+  constexpr Real tau_y = 20, eta_dt = Real(500 / 1e-3), mu3 = 3 * 769, bulk = 1667, a = Real(0.3);
+  struct Trial {
+    V ap2, q2;
+  };
+  std::mt19937 random(1);
+  std::vector<Trial> trials(k_tiles);
+  double flowing = 0;
+  for (Trial& t : trials) {
+    const V p = random_lanes<Real>(random, 0, 40), q = random_lanes<Real>(random, 0, 30);
+    t = {a * p * p, q * q};
+    const auto flows = t.ap2 + t.q2 > lanes<Real>(tau_y * tau_y);
+    for (int l = 0; l < k_width<Real>; ++l) flowing += flows[l] ? 1. / (k_tiles * k_width<Real>) : 0.;
+  }
+  for ([[maybe_unused]] auto once : state) {
+    for (const Trial& t : trials) {
+      const auto flows = t.ap2 + t.q2 > lanes<Real>(tau_y * tau_y);
+      V z = Plasticity::solve<V>(t.ap2, t.q2, lanes<Real>(a * bulk), mu3, lanes<Real>(tau_y), lanes<Real>(eta_dt), flows, quadratic);
+      benchmark::DoNotOptimize(z);
+    }
+    benchmark::ClobberMemory();
+  }
+  count_particles(state, k_tiles * k_width<Real>);
+  state.counters["flowing"] = flowing;
+}
+
+template <class Real>
+void register_in(const std::string& precision) {
+  const auto add = [&](const std::string& name, auto f, auto... arguments) {
+    return benchmark::RegisterBenchmark(("Part/" + name + "/" + precision).c_str(), f, arguments...);
+  };
+  const int all = omp_get_max_threads();
+  for (int threads = 1; threads <= all; threads = threads < all ? all : all + 1)
+    benchmark::RegisterBenchmark(("Part/ordering/" + precision + "/500K/threads:" + std::to_string(threads)).c_str(), order_500K<Real>,
+                                 threads)
+        ->Unit(benchmark::kMillisecond)
+        ->Iterations(20)
+        ->UseRealTime();
+  add("return_map_distance", return_map<Real>, false);
+  add("return_map_quadratic", return_map<Real>, true);
+  add("half_log1p", half_log<Real>);
+  add("expm1_twice", expm1_of_twice<Real>);
+}
+
+}  // namespace
+
+void register_parts() {
+  register_in<float>("single");
+  register_in<double>("double");
+}
+
+}  // namespace bake::bench

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "tests/bench/scenes.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "solver/scene/reader.h"
+
+namespace bake::bench {
+
+namespace {
+
+const char* word(Precision precision) { return choice_names(precision)[static_cast<std::size_t>(precision)]; }
+
+// The dough of fig. 15, baked from 30 C. Its yield stress is a tenth of that dough's: after the few steps before the clock starts
+// most particles flow, as most of a loaf does for most of a bake.
+constexpr const char* k_loaf = R"(
+title = "loaf"
+effects = ["{effects}"]
+[run]
+end_s = 100
+precision = "{precision}"
+[grid]
+dx_m = {dx}
+[domain]
+min_m = [-0.64, -0.48, 0]
+max_m = [0.64, 0.48, 0.6]
+[motion]
+transfer = "{transfer}"
+[leavening]
+reference_pressure_Pa = 4000
+[water]
+latent_heat_J_per_kg = 1.7e4
+[oven]
+temperature_C = 200
+exchange_W_per_m2K = 100
+[[collider]]
+name = "tray"
+shape = {{ half_space = {{ point_m = [0, 0, 0], normal = [0, 0, 1] }} }}
+contact = "sticky"
+temperature_C = 200
+exchange_W_per_m2K = 150
+[[material]]
+name = "dough"
+density_kg_per_m3 = 500
+young_modulus_Pa = 2e3
+poisson_ratio = 0.3
+initial_temperature_C = 30
+initial_porosity = 0.1
+initial_saturation = 0.2
+specific_heat_J_per_kgK = 20
+conductivity_W_per_mK = 100
+expansion_per_K = 1e-4
+temperatures_C = [4, 20, 60, 85]
+yield_stress_Pa = [2, 2, 1.5, 40]
+viscosity_Pa_s = [50, 50, 40, 40]
+diffusivity_m2_per_sK = 5e-7
+evaporation_kg_per_m2sK = 4e-3
+pressure_Pa = 300
+production_mol_per_kgs = 0.03
+peak_temperature_C = 40
+temperature_width_K = 20
+[[body]]
+material = "dough"
+particles_per_cell = 7
+shape = {{ intersection = [
+    {{ superellipsoid = {{ centre_m = [0, 0, 0], half_axes_m = [0.5, 0.27, 0.3], plan_exponent = 2, profile_exponent = 2 }} }},
+    {{ half_space = {{ point_m = [0, 0, 0], normal = [0, 0, -1] }} }},
+] }}
+)";
+
+constexpr const char* k_block = R"(
+title = "elastic block"
+effects = ["motion", "elasticity"]
+[run]
+end_s = 100
+precision = "{precision}"
+[grid]
+dx_m = 0.01
+[domain]
+min_m = [-0.08, -0.08, -0.08]
+max_m = [{far}, {far}, {far}]
+[motion]
+gravity_m_per_s2 = [0, 0, 0]
+[[material]]
+name = "rubber"
+density_kg_per_m3 = 1000
+young_modulus_Pa = 1e5
+poisson_ratio = 0.3
+[[body]]
+material = "rubber"
+particles_per_cell = 8
+jitter = 0
+shape = {{ box = {{ centre_m = [{half}, {half}, {half}], half_extents_m = [{half}, {half}, {half}] }} }}
+)";
+
+}  // namespace
+
+Scene loaf(const Combination& combination, Precision precision, double particles) {
+  constexpr double k_pi = 3.14159265358979323846;
+  constexpr double k_volume = 2 * k_pi / 3 * 0.5 * 0.27 * 0.3;  // half an ellipsoid
+  return parse_scene(
+      fmt::format(k_loaf, fmt::arg("effects", fmt::join(combination.effects, "\", \"")), fmt::arg("precision", word(precision)),
+                  fmt::arg("dx", std::cbrt(7 * k_volume / particles)), fmt::arg("transfer", combination.flip ? "flip" : "apic")),
+      "loaf.toml");
+}
+
+Scene elastic_block(Precision precision, int cells) {
+  const double side = 0.01 * cells;
+  return parse_scene(fmt::format(k_block, fmt::arg("precision", word(precision)), fmt::arg("far", side + 0.08), fmt::arg("half", side / 2)),
+                     "block.toml");
+}
+
+}  // namespace bake::bench

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "tests/bench/steps.h"
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <ctime>
+#include <functional>
+#include <memory>
+
+#include "solver/baker/simulation.h"
+#include "tests/bench/flops.h"
+#include "tests/bench/flowing.h"
+#include "tests/bench/scenes.h"
+
+namespace bake::bench {
+
+namespace {
+
+/// What is timed: benchmarks of one subject follow each other and share a simulation, which goes on.
+struct Subject {
+  std::string name;  ///< <scene>/<precision>/<size>
+  Precision precision;
+  std::function<Scene()> scene;
+  int warm_up, steps;
+};
+
+/// A warmed-up simulation and what is known of it before it is timed.
+struct Running {
+  std::string name;
+  Scene scene;
+  std::unique_ptr<Simulation> simulation;
+  double flops, bytes_per_particle, bytes_per_node, flowing;
+};
+
+void take_steps(Simulation& simulation, int steps) {
+  constexpr double never = 1e6;  // [s]: no step is one that samples
+  simulation.advance(never, never, [&] { return --steps > 0; });
+}
+
+template <class Real>
+void describe(Running& running) {
+  const auto physics = make_physics<Real>(running.scene);
+  running.flops = flops_per_particle_step(*physics, running.scene);
+  running.bytes_per_particle = static_cast<double>(sizeof(Real)) * physics->column_count;
+  running.bytes_per_node = static_cast<double>(sizeof(Real)) * make_block_kernel<Real>(running.scene.grid.kernel, *physics)->row_size();
+}
+
+Running& running(const Subject& subject) {
+  static Running now;
+  if (now.name == subject.name) return now;
+  now.simulation.reset();  // before the next one takes memory
+  now.name = subject.name;
+  now.scene = subject.scene();
+  if (subject.precision == Precision::single_precision)
+    describe<float>(now);
+  else
+    describe<double>(now);
+  now.simulation = Simulation::begin(now.scene);
+  take_steps(*now.simulation, subject.warm_up);
+  now.flowing = flowing_share(*now.simulation, now.scene);
+  return now;
+}
+
+double process_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+void time_steps(benchmark::State& state, const Subject& subject, int threads, double peak_GFLOPs) {
+  using benchmark::Counter;
+  const int all = omp_get_max_threads();
+  const Running& run = running(subject);
+  const Counters before = run.simulation->counters();
+  omp_set_num_threads(threads);
+  take_steps(*run.simulation, 1);  // the other threads fall asleep, or wake
+  const std::int64_t first = run.simulation->counters().particle_steps;
+  const double cpu = process_seconds();
+  for ([[maybe_unused]] auto step : state) take_steps(*run.simulation, 1);
+  const double cpu_used = process_seconds() - cpu;
+  omp_set_num_threads(all);
+  const Counters& after = run.simulation->counters();
+  const auto done = static_cast<double>(after.particle_steps - first);
+  state.counters["M/s"] = Counter(1e-6 * done, Counter::kIsRate);
+  state.counters["ns*core"] = Counter(1e-9 * done / threads, Counter::kIsRate | Counter::kInvert);
+  state.counters["cpu_ns"] = 1e9 * cpu_used / done;
+  state.counters["peak"] = Counter(1e-9 * run.flops * done / peak_GFLOPs, Counter::kIsRate);
+  state.counters["flops"] = run.flops;
+  state.counters["B/particle"] = run.bytes_per_particle;
+  state.counters["B/node"] = run.bytes_per_node;
+  state.counters["MiB"] = static_cast<double>(run.simulation->bytes()) / (1 << 20);
+  state.counters["nodes/particle"] = static_cast<double>(run.simulation->active_nodes()) / static_cast<double>(run.simulation->particles());
+  state.counters["flowing"] = run.flowing;
+  state.counters["orderings"] = static_cast<double>(after.orderings - before.orderings);
+}
+
+void add(const Subject& subject, const Limits& limits, const std::vector<int>& threads) {
+  const Rate& peak = subject.precision == Precision::single_precision ? limits.single_GFLOPs : limits.double_GFLOPs;
+  for (const int n : threads)
+    benchmark::RegisterBenchmark(fmt::format("Step/{}/threads:{}", subject.name, n).c_str(), time_steps, subject, n,
+                                 n == 1 ? peak.one : peak.all)
+        ->Iterations(subject.steps)
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
+}
+
+std::string size_word(int thousands) { return thousands < 1000 ? fmt::format("{}K", thousands) : fmt::format("{}M", thousands / 1000); }
+
+Subject loaf_subject(const Combination& combination, Precision precision, int thousands) {
+  return {fmt::format("{}/{}/{}", combination.name, choice_names(precision)[static_cast<std::size_t>(precision)], size_word(thousands)),
+          precision, [=] { return loaf(combination, precision, 1e3 * thousands); }, 40, std::clamp(10'000 / thousands, 5, 50)};
+}
+
+Subject block_subject(Precision precision, int cells) {
+  return {fmt::format("block/{}/{}^3", choice_names(precision)[static_cast<std::size_t>(precision)], cells), precision,
+          [=] { return elastic_block(precision, cells); }, 2, cells < 50 ? 50 : 4};
+}
+
+}  // namespace
+
+void register_steps(const Limits& limits) {
+  std::vector<int> one_and_all{1};
+  if (limits.threads > 1) one_and_all.push_back(limits.threads);
+  const std::vector<int> all{limits.threads};
+  constexpr Precision precisions[] = {Precision::single_precision, Precision::double_precision};
+  const auto is_any = [](const std::string& name, std::initializer_list<const char*> of) {
+    return std::find(of.begin(), of.end(), name) != of.end();
+  };
+  for (const Combination& c : k_combinations) {
+    if (is_any(c.name, {"heat", "elastic", "plastic", "all"}))
+      for (const Precision precision : precisions) add(loaf_subject(c, precision, 500), limits, one_and_all);
+    else
+      add(loaf_subject(c, Precision::single_precision, 500), limits, all);
+  }
+  for (const Combination& c : k_combinations)
+    if (is_any(c.name, {"plastic", "all"}))
+      for (const int thousands : {100, 200, 1000, 2000, 4000}) add(loaf_subject(c, Precision::single_precision, thousands), limits, all);
+  for (const int cells : {25, 100})
+    for (const Precision precision : precisions) add(block_subject(precision, cells), limits, one_and_all);
+}
+
+}  // namespace bake::bench

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "tests/bench/limits.h"
+
+namespace bake::bench {
+
+/// Whole steps, everything included: named Step/<scene>/<precision>/<size>/threads:<n>.
+void register_steps(const Limits& limits);
+/// Ordering and pieces of the law.
+void register_parts();
+
+}  // namespace bake::bench
