@@ -5,10 +5,10 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <chrono>
 #include <vector>
 
 #include "solver/core/lanes.h"
+#include "tests/bench/stopwatch.h"
 
 namespace bake::bench {
 
@@ -21,9 +21,9 @@ template <class Work>
 double fastest(Work work) {
   double best = 1e30;
   for (int trial = 0; trial < k_trials; ++trial) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     work();
-    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    best = std::min(best, watch.wall_s());
   }
   return best;
 }

@@ -11,16 +11,16 @@
 #include "solver/particles/order.h"
 #include "tests/bench/scenes.h"
 #include "tests/bench/steps.h"
+#include "tests/bench/stopwatch.h"
 
 namespace bake::bench {
 
 namespace {
 
-void count_particles(benchmark::State& state, double per_iteration) {
-  using benchmark::Counter;
-  const double done = per_iteration * static_cast<double>(state.iterations());
-  state.counters["M/s"] = Counter(1e-6 * done, Counter::kIsRate);
-  state.counters["ns"] = Counter(1e-9 * done, Counter::kIsRate | Counter::kInvert);
+void count_particles(benchmark::State& state, const Stopwatch& watch, double per_iteration) {
+  const double done = per_iteration * static_cast<double>(state.iterations()), wall = watch.wall_s();
+  state.counters["M/s"] = 1e-6 * done / wall;
+  state.counters["ns"] = 1e9 * wall / done;
 }
 
 template <class Real>
@@ -36,9 +36,10 @@ void order_500K(benchmark::State& state, int threads) {
   to.columns = engine.store().columns;
   omp_set_num_threads(threads);
   order_particles<Real>(engine.store(), nullptr, engine.lattice(), nullptr, to);  // takes the memory
+  const Stopwatch watch;
   for ([[maybe_unused]] auto once : state) order_particles<Real>(engine.store(), nullptr, engine.lattice(), nullptr, to);
+  count_particles(state, watch, static_cast<double>(engine.particles()));
   omp_set_num_threads(all);
-  count_particles(state, static_cast<double>(engine.particles()));
 }
 
 constexpr int k_tiles = 32;
@@ -64,6 +65,7 @@ std::vector<Symmetric<Lanes<Real>>> strains() {
 template <class Real, class Function>
 void time_function(benchmark::State& state, Function f) {
   auto in = strains<Real>();
+  const Stopwatch watch;
   for ([[maybe_unused]] auto once : state) {
     for (auto& strain : in) {
       auto result = f(strain);
@@ -71,7 +73,7 @@ void time_function(benchmark::State& state, Function f) {
     }
     benchmark::ClobberMemory();
   }
-  count_particles(state, k_tiles * k_width<Real>);
+  count_particles(state, watch, k_tiles * k_width<Real>);
 }
 
 template <class Real>
@@ -101,6 +103,7 @@ void return_map(benchmark::State& state, bool quadratic) {
     const auto flows = t.ap2 + t.q2 > lanes<Real>(tau_y * tau_y);
     for (int l = 0; l < k_width<Real>; ++l) flowing += flows[l] ? 1. / (k_tiles * k_width<Real>) : 0.;
   }
+  const Stopwatch watch;
   for ([[maybe_unused]] auto once : state) {
     for (const Trial& t : trials) {
       const auto flows = t.ap2 + t.q2 > lanes<Real>(tau_y * tau_y);
@@ -109,7 +112,7 @@ void return_map(benchmark::State& state, bool quadratic) {
     }
     benchmark::ClobberMemory();
   }
-  count_particles(state, k_tiles * k_width<Real>);
+  count_particles(state, watch, k_tiles * k_width<Real>);
   state.counters["flowing"] = flowing;
 }
 

@@ -14,8 +14,8 @@ namespace {
 
 const char* word(Precision precision) { return choice_names(precision)[static_cast<std::size_t>(precision)]; }
 
-// The dough of fig. 15, baked from 30 C. Its yield stress is a tenth of that dough's: after the few steps before the clock starts
-// most particles flow, as most of a loaf does for most of a bake.
+// The dough of fig. 15, baked from 30 C on the same grid whatever its size, with a third of that dough's yield stress: after the few
+// steps before the clock starts eight or nine tenths of the particles flow, as in most of a bake.
 constexpr const char* k_loaf = R"(
 title = "loaf"
 effects = ["{effects}"]
@@ -23,10 +23,10 @@ effects = ["{effects}"]
 end_s = 100
 precision = "{precision}"
 [grid]
-dx_m = {dx}
+dx_m = 0.01
 [domain]
-min_m = [-0.64, -0.48, 0]
-max_m = [0.64, 0.48, 0.6]
+min_m = [-{size}, -{size}, 0]
+max_m = [{size}, {size}, {size}]
 [motion]
 transfer = "{transfer}"
 [leavening]
@@ -54,8 +54,8 @@ specific_heat_J_per_kgK = 20
 conductivity_W_per_mK = 100
 expansion_per_K = 1e-4
 temperatures_C = [4, 20, 60, 85]
-yield_stress_Pa = [2, 2, 1.5, 40]
-viscosity_Pa_s = [50, 50, 40, 40]
+yield_stress_Pa = [6, 6, 4.5, 120]
+viscosity_Pa_s = [500, 500, 400, 400]
 diffusivity_m2_per_sK = 5e-7
 evaporation_kg_per_m2sK = 4e-3
 pressure_Pa = 300
@@ -66,7 +66,7 @@ temperature_width_K = 20
 material = "dough"
 particles_per_cell = 7
 shape = {{ intersection = [
-    {{ superellipsoid = {{ centre_m = [0, 0, 0], half_axes_m = [0.5, 0.27, 0.3], plan_exponent = 2, profile_exponent = 2 }} }},
+    {{ superellipsoid = {{ centre_m = [0, 0, 0], half_axes_m = [{length}, {width}, {height}], plan_exponent = 2, profile_exponent = 2 }} }},
     {{ half_space = {{ point_m = [0, 0, 0], normal = [0, 0, -1] }} }},
 ] }}
 )";
@@ -99,11 +99,13 @@ shape = {{ box = {{ centre_m = [{half}, {half}, {half}], half_extents_m = [{half
 }  // namespace
 
 Scene loaf(const Combination& combination, Precision precision, double particles) {
-  constexpr double k_pi = 3.14159265358979323846;
-  constexpr double k_volume = 2 * k_pi / 3 * 0.5 * 0.27 * 0.3;  // half an ellipsoid
+  constexpr double k_pi = 3.14159265358979323846, per_cell = 7, dx = 0.01;
+  constexpr double length = 5, width = 3, height = 3;  // half an ellipsoid, times `scale`
+  const double scale = std::cbrt(particles / per_cell * dx * dx * dx / (2 * k_pi / 3 * length * width * height));
   return parse_scene(
       fmt::format(k_loaf, fmt::arg("effects", fmt::join(combination.effects, "\", \"")), fmt::arg("precision", word(precision)),
-                  fmt::arg("dx", std::cbrt(7 * k_volume / particles)), fmt::arg("transfer", combination.flip ? "flip" : "apic")),
+                  fmt::arg("transfer", combination.flip ? "flip" : "apic"), fmt::arg("length", length * scale),
+                  fmt::arg("width", width * scale), fmt::arg("height", height * scale), fmt::arg("size", 1.3 * length * scale)),
       "loaf.toml");
 }
 

@@ -6,7 +6,6 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <ctime>
 #include <functional>
 #include <memory>
 
@@ -14,6 +13,7 @@
 #include "tests/bench/flops.h"
 #include "tests/bench/flowing.h"
 #include "tests/bench/scenes.h"
+#include "tests/bench/stopwatch.h"
 
 namespace bake::bench {
 
@@ -64,30 +64,22 @@ Running& running(const Subject& subject) {
   return now;
 }
 
-double process_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 void time_steps(benchmark::State& state, const Subject& subject, int threads, double peak_GFLOPs) {
-  using benchmark::Counter;
   const int all = omp_get_max_threads();
   const Running& run = running(subject);
-  const Counters before = run.simulation->counters();
   omp_set_num_threads(threads);
   take_steps(*run.simulation, 1);  // the other threads fall asleep, or wake
-  const std::int64_t first = run.simulation->counters().particle_steps;
-  const double cpu = process_seconds();
+  const Counters before = run.simulation->counters();
+  const Stopwatch watch;
   for ([[maybe_unused]] auto step : state) take_steps(*run.simulation, 1);
-  const double cpu_used = process_seconds() - cpu;
+  const double wall = watch.wall_s(), cpu = watch.cpu_s();
   omp_set_num_threads(all);
   const Counters& after = run.simulation->counters();
-  const auto done = static_cast<double>(after.particle_steps - first);
-  state.counters["M/s"] = Counter(1e-6 * done, Counter::kIsRate);
-  state.counters["ns*core"] = Counter(1e-9 * done / threads, Counter::kIsRate | Counter::kInvert);
-  state.counters["cpu_ns"] = 1e9 * cpu_used / done;
-  state.counters["peak"] = Counter(1e-9 * run.flops * done / peak_GFLOPs, Counter::kIsRate);
+  const auto done = static_cast<double>(after.particle_steps - before.particle_steps);
+  state.counters["M/s"] = 1e-6 * done / wall;
+  state.counters["ns*core"] = 1e9 * wall * threads / done;
+  state.counters["cpu_ns"] = 1e9 * cpu / done;
+  state.counters["peak"] = 1e-9 * run.flops * done / wall / peak_GFLOPs;
   state.counters["flops"] = run.flops;
   state.counters["B/particle"] = run.bytes_per_particle;
   state.counters["B/node"] = run.bytes_per_node;

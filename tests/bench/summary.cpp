@@ -2,6 +2,7 @@
 #include "tests/bench/summary.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 
@@ -22,6 +23,9 @@ std::string ratio(double a, double b) { return a > 0 && b > 0 ? fmt::format("{:.
 
 }  // namespace
 
+SummaryReporter::SummaryReporter(const Limits& limits)
+    : ConsoleReporter(isatty(STDOUT_FILENO) ? OO_ColorTabular : OO_Tabular), limits_(limits) {}
+
 void SummaryReporter::ReportRuns(const std::vector<Run>& runs) {
   ConsoleReporter::ReportRuns(runs);
   for (const Run& run : runs) {
@@ -34,6 +38,7 @@ void SummaryReporter::ReportRuns(const std::vector<Run>& runs) {
     Figures& figures = full.ends_with("/threads:1") ? row->one : row->all;
     figures.rate.push_back(run.counters.at("M/s"));
     figures.peak.push_back(run.counters.at("peak"));
+    figures.cpu_ns.push_back(run.counters.at("cpu_ns"));
   }
 }
 
@@ -56,19 +61,22 @@ const SummaryReporter::Row* SummaryReporter::row_of(const std::string& name) con
 void SummaryReporter::Finalize() {
   print_limits();
   if (rows_.empty()) return;
-  GetOutputStream() << fmt::format("\n{:<36}{:>10}{:>10}{:>8}{:>9}{:>9}{:>9}\n", "M particle-steps/s", "1 thread",
-                                   fmt::format("{} threads", limits_.threads), "ratio", "of peak", "of peak", "double/");
-  GetOutputStream() << fmt::format("{:<36}{:>10}{:>10}{:>8}{:>9}{:>9}{:>9}\n", "", "", "", "", "1", "all", "single");
+  constexpr const char* k_line = "{:<36}{:>10}{:>11}{:>7}{:>9}{:>9}{:>9}{:>9}\n";
+  GetOutputStream() << "\nmillion particle-steps/s\n"
+                    << fmt::format(k_line, "", "1 thread", fmt::format("{} threads", limits_.threads), "ratio", "of peak", "of peak",
+                                   "double/", "cpu ns")
+                    << fmt::format(k_line, "", "", "", "", "1", "all", "single", "");
   for (const Row& row : rows_) {
     const double one = median(row.one.rate), all = median(row.all.rate);
+    const bool parallel = all > 0;
     std::string in_single = row.name;
     const auto precision = in_single.find("/double/");
     if (precision != std::string::npos) in_single.replace(precision, 8, "/single/");
     const Row* single = precision == std::string::npos ? nullptr : row_of(in_single);
-    const bool parallel = all > 0;
     const double base = !single ? 0 : median(parallel ? single->all.rate : single->one.rate);
-    GetOutputStream() << fmt::format("{:<36}{:>10}{:>10}{:>8}{:>9}{:>9}{:>9}\n", row.name, number(one, 1), number(all, 1), ratio(all, one),
-                                     percent(median(row.one.peak)), percent(median(row.all.peak)), ratio(parallel ? all : one, base));
+    const double cpu_ns = median(row.one.cpu_ns.empty() ? row.all.cpu_ns : row.one.cpu_ns);
+    GetOutputStream() << fmt::format(k_line, row.name, number(one, 1), number(all, 1), ratio(all, one), percent(median(row.one.peak)),
+                                     percent(median(row.all.peak)), ratio(parallel ? all : one, base), number(cpu_ns, 1));
   }
   GetOutputStream() << std::flush;
 }

@@ -12,14 +12,14 @@ namespace bake::bench {
 
 class SummaryReporter : public benchmark::ConsoleReporter {
  public:
-  explicit SummaryReporter(const Limits& limits) : limits_(limits) {}
+  explicit SummaryReporter(const Limits& limits);
   void ReportRuns(const std::vector<Run>& runs) override;
   void Finalize() override;
 
  private:
   /// Of the repetitions of one benchmark.
   struct Figures {
-    std::vector<double> rate, peak;
+    std::vector<double> rate, peak, cpu_ns;
   };
   struct Row {
     std::string name;
