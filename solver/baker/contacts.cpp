@@ -71,6 +71,7 @@ void Contacts::prepare(double time) {
 bool Contacts::near(const BlockIndex& block, double reach) const {
   const Point low = lattice_.origin(block);
   const double side = 3 * lattice_.dx();
+  reach += touching();
   for (const DomainFace& f : faces_) {
     const double a = low[static_cast<std::size_t>(f.axis)];
     if (f.sign > 0 ? a <= f.at : a + side >= f.at) return true;
@@ -87,7 +88,7 @@ bool Contacts::near(const BlockIndex& block, double reach) const {
 
 Vector3 Contacts::velocity_after(const Point& x, Vector3 v) const {
   for (const Present& p : present_) {
-    if (p.contact->scripted.distance(p.pose, x) > 0) continue;
+    if (p.contact->scripted.distance(p.pose, x) > touching()) continue;
     const Vector3 wall = p.pose.velocity_at(x);
     const Rule rule = p.contact->rule;
     if (rule == Rule::sticky || rule == Rule::grip)
@@ -97,7 +98,7 @@ Vector3 Contacts::velocity_after(const Point& x, Vector3 v) const {
   }
   for (const DomainFace& f : faces_) {
     const double inside = f.sign * (x[static_cast<std::size_t>(f.axis)] - f.at);
-    if (inside > 1e-6 * lattice_.dx()) continue;
+    if (inside > touching()) continue;
     Vector3 n{0, 0, 0};
     n[static_cast<std::size_t>(f.axis)] = f.sign;
     v = contact(v, n, f.rule == Rule::sticky, f.rule == Rule::separating, f.rule == Rule::separating ? face_friction_ : 0);
@@ -117,7 +118,8 @@ std::optional<ContactHeat> Contacts::covering(const Point& x, const std::optiona
 
 std::optional<double> Contacts::held_temperature(const Point& x) const {
   for (const Present& p : present_)
-    if (p.contact->rule == Rule::grip && p.contact->temperature && p.contact->scripted.distance(p.pose, x) <= 0) return p.temperature;
+    if (p.contact->rule == Rule::grip && p.contact->temperature && p.contact->scripted.distance(p.pose, x) <= touching())
+      return p.temperature;
   return std::nullopt;
 }
 

@@ -56,6 +56,9 @@ class Contacts {
     Box3 bounds;
     double temperature;
   };
+  /// A node this close to a solid is in it: faces are often drawn through nodes, whose positions are rounded [m].
+  double touching() const { return 1e-6 * lattice_.dx(); }
+
   struct DomainFace {
     int axis;
     double sign;  ///< of the inward normal

@@ -49,6 +49,13 @@ int column_of(const Physics<Real>& physics, std::string_view name) {
   return -1;
 }
 
+template <class V>
+std::size_t identity_of(const V* columns, int lane) {
+  const auto bits = columns[k_identity_column][lane];
+  if constexpr (sizeof(bits) == 4) return static_cast<std::size_t>(std::bit_cast<std::int32_t>(bits));
+  return static_cast<std::size_t>(bits);
+}
+
 /// Mass of one particle [kg].
 template <class Real>
 double particle_mass(const Physics<Real>& physics, const Lanes<Real>* columns, int lane) {
@@ -112,7 +119,7 @@ BlockWork<Real> Engine<Real>::work(const Step<Real>& step) {
 // ---------------------------------------------------------------- particles come and go
 
 template <class Real>
-void Engine<Real>::add(const std::vector<NewParticle>& particles) {
+void Engine<Real>::add(const std::vector<NewParticle>& particles, bool poured) {
   constexpr int W = k_width<Real>;
   if (particles.empty()) return;
   // a store of its own: one tile per run of particles with the same home and material, in the order given
@@ -179,11 +186,16 @@ void Engine<Real>::add(const std::vector<NewParticle>& particles) {
     }
   next_identity_ += static_cast<std::int64_t>(particles.size());
 
+  if (poured)
+    for (std::size_t t = 0; t < fresh.tiles.size(); ++t)
+      for (int l = 0; l < fresh.tiles[t].count; ++l) counters_.emitted_mass += particle_mass(*physics_, fresh.tile(t), l);
+
   order_particles<Real>(store_, &fresh, lattice_, nullptr, spare_);
   std::swap(store_, spare_);
   const ActiveBlocks before = active_;
   after_ordering();
   rehome_grid(before);
+  carry_velocity(spare_, particles);
   scatter_new(fresh, start);
 }
 
@@ -310,24 +322,37 @@ void Engine<Real>::settle(std::vector<Escape<Real>>& escapes) {
   const ActiveBlocks before = active_;
   after_ordering();
   rehome_grid(before);
+  carry_velocity(spare_, {});
   BlockWork<Real> w = work(current_step());
   w.scattered = grid_.data();
   for (std::size_t i = 0; i < escapes.size(); ++i)
     if (!escapes[i].retired) kernel_->scatter_rows(w, home_of(homes[i].block), homes[i].x, escapes[i].rows.data());
 }
 
+/// Sampled velocities follow their particles from the order `before` into the present one; those just added have their own.
+template <class Real>
+void Engine<Real>::carry_velocity(const ParticleStore<Real>& before, const std::vector<NewParticle>& added) {
+  constexpr int W = k_width<Real>;
+  if (velocity_.size() == 0) return;
+  std::vector<std::array<Real, 3>> of(static_cast<std::size_t>(next_identity_));
+  for (std::size_t t = 0; t < before.tiles.size(); ++t)
+    for (int l = 0; l < before.tiles[t].count; ++l)
+      for (std::size_t d = 0; d < 3; ++d) of[identity_of(before.tile(t), l)][d] = velocity_.data()[(t * 3 + d) * W + static_cast<std::size_t>(l)];
+  for (std::size_t i = 0; i < added.size(); ++i)
+    for (std::size_t d = 0; d < 3; ++d) of[of.size() - added.size() + i][d] = static_cast<Real>(added[i].velocity[d]);
+  velocity_.resize_and_forget(store_.tiles.size() * 3 * W);
+  for (std::size_t t = 0; t < store_.tiles.size(); ++t)
+    for (int l = 0; l < W; ++l)
+      for (std::size_t d = 0; d < 3; ++d) velocity_.data()[(t * 3 + d) * W + static_cast<std::size_t>(l)] = of[identity_of(store_.tile(t), l)][d];
+}
+
 template <class Real>
 void Engine<Real>::report_broken(const Escape<Real>& escape) const {
   const auto* columns = store_.tile(static_cast<std::size_t>(escape.tile));
-  const auto identity_of = [&](int lane) {
-    const Real bits = columns[k_identity_column][lane];
-    if constexpr (sizeof(Real) == 4) return std::bit_cast<std::int32_t>(bits);
-    return static_cast<std::int32_t>(bits);
-  };
   for (const auto& column : physics_->columns)
     for (int c = column.first; c < column.first + column.width; ++c)
       if (c != k_identity_column && !std::isfinite(columns[c][escape.lane]))
-        throw RunError("particle " + std::to_string(identity_of(escape.lane)) + ": " + column.name + " is not finite in step " +
+        throw RunError("particle " + std::to_string(identity_of(columns, escape.lane)) + ": " + column.name + " is not finite in step " +
                        std::to_string(counters_.steps) + " at t = " + std::to_string(time_) + " s (dt = " + std::to_string(dt_) + " s)");
   throw RunError("a particle's state is not finite in step " + std::to_string(counters_.steps));
 }
@@ -371,6 +396,7 @@ void Engine<Real>::pass(double next_dt, bool sample) {
   Step<Real> step = current_step();
   step.dt_next = static_cast<Real>(next_dt);
   BlockWork<Real> w = work(step);
+  velocity_.resize_and_forget(0);
   if (sample && physics_->moves) {
     velocity_.resize_and_forget(store_.tiles.size() * 3 * k_width<Real>);
     w.velocity = velocity_.data();

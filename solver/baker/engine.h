@@ -50,8 +50,9 @@ class Engine {
  public:
   explicit Engine(const Scene& scene);
 
-  /// Adds particles between passes, with consecutive identities. Throws InputError if one is outside the domain.
-  void add(const std::vector<NewParticle>& particles);
+  /// Adds particles between passes, with consecutive identities; those that are poured are booked. Throws InputError if one is
+  /// outside the domain.
+  void add(const std::vector<NewParticle>& particles, bool poured = false);
   /// A first pass without time, which finds fluxes, limits and totals, and scatters for the first step. Once, after the first
   /// add; not after read().
   void start(double first_target);
@@ -69,7 +70,7 @@ class Engine {
   double largest_speed() const { return std::sqrt(extremes_.speed2); }
   std::size_t particles() const { return particle_count_; }
   const ParticleStore<Real>& store() const { return store_; }
-  const AlignedBuffer<Real>& velocity() const { return velocity_; }  ///< [tile][3][W] at the last sample; empty where nothing moves
+  const AlignedBuffer<Real>& velocity() const { return velocity_; }  ///< [tile][3][W] right after a sample; empty where nothing moves
   const Physics<Real>& physics() const { return *physics_; }
   const Lattice& lattice() const { return lattice_; }
   int row_size() const { return kernel_->row_size(); }
@@ -93,6 +94,7 @@ class Engine {
   void settle(std::vector<Escape<Real>>& escapes);
   void after_ordering();
   void rehome_grid(const ActiveBlocks& before);
+  void carry_velocity(const ParticleStore<Real>& before, const std::vector<NewParticle>& added);
   void reduce(const std::vector<BlockResult<Real>>& results);
   void scatter_new(const ParticleStore<Real>& fresh, const std::vector<Real>& start);
   double next_step(double from, double target, double next_target);

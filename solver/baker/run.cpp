@@ -133,6 +133,7 @@ void clear_old(const Results& results) {
 }  // namespace
 
 RunSummary run_scene(const Scene& scene, const RunOptions& options) {
+  const StopSignals signals;
   if (options.threads > 0) omp_set_num_threads(options.threads);
   const Results results{options.out};
   const int frames = frame_count(scene, options);
@@ -154,7 +155,6 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
   const double began = seconds();
   const std::int64_t old_steps = simulation->counters().particle_steps;
   Progress progress(progress_on_stderr(options.quiet));
-  const StopSignals signals;
   std::vector<double> first = simulation->ledger_row(), last = first;
   LedgerFile ledger = options.resume ? LedgerFile::resume(results.ledger(), ledger_columns(), frame_time(scene, frame))
                                      : LedgerFile::create(results.ledger(), ledger_columns());

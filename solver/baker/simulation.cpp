@@ -270,7 +270,7 @@ class SimulationOf final : public Simulation {
   }
   void pour_due() {
     for (const auto& spout : spouts_)
-      while (spout->next_time() <= engine_.time()) engine_.add(spout->pour());
+      while (spout->next_time() <= engine_.time()) engine_.add(spout->pour(), true);
   }
 
   template <class Visit>

@@ -7,6 +7,7 @@
 #include <new>
 
 #include "solver/cli/commands.h"
+#include "solver/io/atomic_file.h"
 #include "solver/scene/nearest.h"
 
 namespace bake::cli {
@@ -73,6 +74,8 @@ int main(int count, char** words) {
   try {
     return run_command_line({words + 1, words + count});
   } catch (const bake::InputError& error) {
+    return fail(k_wrong_use, error.what());
+  } catch (const bake::OutputError& error) {  // a full disk, a folder that cannot be written
     return fail(k_wrong_use, error.what());
   } catch (const std::bad_alloc&) {
     return fail(k_failed_run, "out of memory");

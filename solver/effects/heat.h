@@ -115,7 +115,7 @@ struct Heat {
   /// Conduction -V kappa D^-1 w (r . grad theta), and the heat that expansion takes.
   /// DEPARTS [Ding19 Sec. 6.3]: the conduction term is printed without kappa and with the wrong sign.
   template <class P, class To, class K, class S, class R>
-  BAKE_INLINE static void scatter(P& p, To& to, const K& k, const S& step, R& report) {
+  BAKE_INLINE static void scatter(P& p, To& to, const K& k, const S& step, R&) {
     const auto c = capacity(p, k);
     to.value(channel::heat_capacity) += c;
     to.value(channel::heat_content) += c * p[field::theta];
@@ -130,7 +130,6 @@ struct Heat {
         const auto theta = k.published_expansion ? p[field::theta] : p[field::theta] + Real(273.15);
         const auto taken = (step.dt_next * k.beta_T) * p[field::V_0] * theta * (C[0] + C[4] + C[8]);
         to.value(channel::heat_change) -= taken;
-        report.book(Entry::expansion, taken);
       }
     }
   }
@@ -150,6 +149,7 @@ struct Heat {
     const auto none = 0 * capacity;
     const auto content = node[channel::heat_content], old = filled ? content / capacity : none;
     auto change = node[channel::heat_change];
+    book(booked, Entry::expansion, filled ? -change : none);  // conduction only moves heat: its sum over the nodes is zero
     if constexpr (N::template scatters<channel::WaterMass>) {
       change -= node.latent_heat;
       book(booked, Entry::latent, node.latent_heat);

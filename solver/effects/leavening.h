@@ -2,6 +2,8 @@
 // Leavening: CO2 made by a temperature-dependent reaction, and the pressure of the gas in the pores. [Ding19 Sec. 5.4]
 #pragma once
 
+#include <algorithm>
+
 #include "solver/effects/parameters.h"
 #include "solver/effects/plasticity.h"
 #include "solver/effects/totals.h"
@@ -57,6 +59,7 @@ struct Leavening {
   template <class Real>
   struct Constants {
     Real peak_rate, theta_r, inverse_width, total, n_0, nu_0, p_ref, scale;
+    Real least, most;  ///< between which the pore fraction is held; n_0 lies between them, so that fresh dough is free of stress
     bool finite, published, published_porosity;
     template <class Scene, class Substance>
     Constants(const Scene& scene, const Substance& substance) {
@@ -68,6 +71,8 @@ struct Leavening {
       finite = m.leavener_mol_per_m3 < k_infinity;
       total = finite ? static_cast<Real>(m.leavener_mol_per_m3) : Real(1);
       n_0 = static_cast<Real>(substance.initial_porosity);
+      least = std::min(Real(0.02), n_0 / 2);
+      most = std::max(Real(0.97), n_0);
       p_ref = static_cast<Real>(settings.reference_pressure_Pa);
       scale = static_cast<Real>(settings.reference_pressure_Pa / 101325);
       nu_0 = static_cast<Real>(settings.reference_pressure_Pa * substance.initial_porosity /
@@ -114,12 +119,12 @@ struct Leavening {
     const V J = p[field::J];
     if (k.published) {
       const V n = k.published_porosity ? p[field::J_P] - 1 + k.n_0 : 1 - (1 - k.n_0) / p[field::J_P];
-      const V moles = Real(k_gas_constant) * p[field::nu] * p[field::theta] / clamp(n, lanes<Real>(Real(0.02)), lanes<Real>(Real(0.97)));
+      const V moles = Real(k_gas_constant) * p[field::nu] * p[field::theta] / clamp(n, lanes<Real>(k.least), lanes<Real>(k.most));
       for (int i = 0; i < 3; ++i) p[field::tau][i] -= moles;
       p.stiffness += abs(moles);
       return;
     }
-    const V pores = clamp(J - (1 - k.n_0), Real(0.02) * J, Real(0.97) * J);
+    const V pores = clamp(J - (1 - k.n_0), k.least * J, k.most * J);
     const V moles = Real(k_gas_constant) * (k.nu_0 + k.scale * p[field::nu]) * (p[field::theta] + Real(273.15));
     const V pressure = J * (moles / pores - k.p_ref);
     for (int i = 0; i < 3; ++i) p[field::tau][i] -= pressure;

@@ -148,6 +148,8 @@ struct Model<Real, Effects...>::Node {
   Real latent_heat_per_kg;
   bool published_exchange;
   V moved_water = V{};  ///< change of the water mass, evaporation included [kg]
+  V evaporated = V{};   ///< [kg]
+  V moving_mass = V{};  ///< after the step's changes of water, inertial [kg]
   V latent_heat = V{};  ///< taken by evaporation [J]
   V heat_weight = V{};  ///< [J/K]
 
@@ -283,7 +285,7 @@ void Model<Real, Effects...>::update_nodes(const V* scattered, V* gathered, V* m
     one.template operator()<First>();
   };
   reversed.template operator()<Effects...>(reversed);
-  if constexpr (Scattered::template has<channel::Mass>) *mass = node[channel::mass];
+  if constexpr (Scattered::template has<channel::Mass>) *mass = node.moving_mass;
   *heat_weight = node.heat_weight;
 }
 

@@ -100,22 +100,30 @@ struct Motion {
     e.wave2 = max(e.wave2, p.stiffness * p[field::V_0] / (k.inertia * p.mass()));
   }
 
-  /// v_i = momentum / mass, the mass being that after the step's water fluxes.
+  /// v_i = momentum / mass, the mass being that after the step's water fluxes. Vapour leaves with this velocity, so that drying
+  /// pushes nothing; what it takes is booked.
   template <class N, class S, class B>
-  BAKE_INLINE static void update(N& node, const S&, B&) {
+  BAKE_INLINE static void update(N& node, const S&, B& booked) {
     auto mass = node[channel::mass];
-    if constexpr (N::template scatters<channel::WaterChange>) mass += node.moved_water;
+    if constexpr (N::template scatters<channel::WaterChange>) mass += node.moved_water + node.evaporated;
     const auto inverse = mass > 0 ? 1 / mass : 0 * mass;
     for (int i = 0; i < 3; ++i) node.out(channel::velocity, i) = node[channel::momentum][i] * inverse;
+    node.moving_mass = mass;
+    if constexpr (N::template scatters<channel::WaterChange>) {
+      node.moving_mass -= node.evaporated;
+      for (int i = 0; i < 3; ++i)
+        book(booked, static_cast<Entry>(static_cast<int>(Entry::impulse_x) + i), -node.evaporated * node.out(channel::velocity, i));
+    }
     if constexpr (N::template scatters<channel::OldMomentum>)
       for (int i = 0; i < 3; ++i)
         node.out(channel::old_velocity, i) = node[channel::mass] > 0 ? node[channel::old_momentum][i] / node[channel::mass] : 0 * mass;
   }
 
+  /// Of the inertial mass, which is what impulses act on.
   template <class P, class K, class S, class R>
-  static void totals(P& p, const K&, const S& step, R& report) {
+  static void totals(P& p, const K& k, const S& step, R& report) {
     using V = typename P::V;
-    const V m = p.mass(), affine_inertia = m / step.inverse_d;
+    const V m = k.inertia * p.mass(), affine_inertia = m / step.inverse_d;
     const auto& C = p[field::C];
     V position[3], momentum[3], kinetic = 0 * m;
     for (int i = 0; i < 3; ++i) {
@@ -127,10 +135,10 @@ struct Motion {
     for (int i = 0; i < 9; ++i) kinetic += affine_inertia * C[i] * C[i];
     report.add(Total::kinetic, typename P::Real(0.5) * kinetic);
     for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      const int j = (i + 1) % 3, l = (i + 2) % 3;
       report.add(static_cast<Total>(static_cast<int>(Total::momentum_x) + i), momentum[i]);
       report.add(static_cast<Total>(static_cast<int>(Total::angular_x) + i),
-                 position[j] * momentum[k] - position[k] * momentum[j] + affine_inertia * (C[3 * k + j] - C[3 * j + k]));
+                 position[j] * momentum[l] - position[l] * momentum[j] + affine_inertia * (C[3 * l + j] - C[3 * j + l]));
     }
   }
 };

@@ -100,6 +100,8 @@ struct Plasticity {
     }
   }
 
+  static constexpr double k_no_pores = 1e-6;  ///< least porosity; at it compression is elastic
+
   /// a(n) = 9 / (4 ln^2(1/n) (7/2 n + 1)).   [Ding19 Eq. 12]
   template <class V>
   BAKE_INLINE static V cap(V n) {
@@ -113,7 +115,7 @@ struct Plasticity {
   BAKE_INLINE static V porosity(V J_P, const K& k) {
     using Real = std::decay_t<decltype(k.mu)>;
     const V n = k.published_porosity ? J_P - 1 + k.n_0 : 1 - (1 - k.n_0) / J_P;
-    return clamp(n, lanes<Real>(Real(1e-6)), lanes<Real>(Real(0.97)));
+    return clamp(n, lanes<Real>(Real(k_no_pores)), lanes<Real>(Real(0.97)));
   }
 
   /// Solves the viscous return. With z = 2 Lambda the mapped state is p = p_tr / (1 + a K z), s = s_tr / (1 + 3 mu z), and
@@ -169,7 +171,8 @@ struct Plasticity {
     const V p_tr = -k.bulk * tr, shear2 = norm_squared(d), q2 = (6 * k.mu * k.mu) * shear2;
     V tau_y, eta;
     curves<V>(p.temperature(), p.peak_temperature(), k, tau_y, eta);
-    const V a = cap<V>(porosity<V>(p[field::J_P], k));
+    const V n = porosity<V>(p[field::J_P], k);
+    const V a = (n <= Real(k_no_pores)) & (p_tr > 0) ? 0 * n : cap<V>(n);  // without pores there is nothing to compact
     const V ap2 = a * p_tr * p_tr;
     const auto flowing = ap2 + q2 > tau_y * tau_y;
     if (!any(flowing)) return;

@@ -16,7 +16,7 @@ enum class Entry {
   latent,         ///< heat taken by evaporation [J]
   expansion,      ///< heat taken by thermal expansion [J]
   dissipated,     ///< plastic work [J]
-  impulse_x,      ///< momentum given by gravity, colliders, grips and faces [kg m/s]
+  impulse_x,      ///< momentum given by gravity, colliders, grips and faces, less what vapour takes [kg m/s]
   impulse_y,
   impulse_z,
   twist_x,  ///< angular momentum given by them, about the origin [kg m^2/s]

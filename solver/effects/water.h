@@ -145,6 +145,7 @@ struct Water {
     book(booked, Entry::water_limited, filled ? kept - (after_flux - evaporated) : none);
     const auto moved = filled ? kept - m : none;
     node.moved_water = moved;
+    node.evaporated = evaporated;
     node.latent_heat = node.latent_heat_per_kg * evaporated;
     node.out(channel::water_ratio) = filled ? moved / m : none;
     node.out(channel::saturation) = capacity > 0 ? (m + moved) / capacity : none;

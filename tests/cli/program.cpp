@@ -65,8 +65,8 @@ void Workplace::write(const fs::path& file, const std::string& text) const {
   std::ofstream(folder_ / file) << text;
 }
 
-Outcome Workplace::bake(const std::string& arguments) const {
-  const std::string command = fmt::format("cd '{}' && '{}' {} >.out 2>.err", folder_.string(), BAKE_PROGRAM, arguments);
+Outcome Workplace::bake(const std::string& arguments, const std::string& before) const {
+  const std::string command = fmt::format("cd '{}' && ({} '{}' {}) >.out 2>.err", folder_.string(), before, BAKE_PROGRAM, arguments);
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder_ / ".out"), content(folder_ / ".err")};
 }

@@ -24,8 +24,8 @@ class Workplace {
   Workplace(const Workplace&) = delete;
   Workplace& operator=(const Workplace&) = delete;
 
-  /// `arguments` as typed in a shell.
-  Outcome bake(const std::string& arguments) const;
+  /// `arguments` as typed in a shell; `before` stands before the program's name (ulimit ...; or timeout ...).
+  Outcome bake(const std::string& arguments, const std::string& before = "") const;
   void write(const std::filesystem::path& file, const std::string& text) const;
   const std::filesystem::path& folder() const { return folder_; }
 
