@@ -148,7 +148,7 @@ def browning(data):
     if "water_mass" not in data:
         return np.clip(0.75 * heat, 0, 1)
     water = data["water_mass"] / np.quantile(data["water_mass"], 0.9)
-    return np.clip(0.25 * heat + heat * np.clip((1 - water) / 0.6, 0, 1) * 0.75, 0, 1)
+    return np.clip(0.25 * heat + heat * np.clip((1 - water) / 0.5, 0, 1) * 0.75, 0, 1)
 
 
 def base_colours(data, arguments):
