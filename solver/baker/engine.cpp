@@ -337,13 +337,15 @@ void Engine<Real>::carry_velocity(const ParticleStore<Real>& before, const std::
   std::vector<std::array<Real, 3>> of(static_cast<std::size_t>(next_identity_));
   for (std::size_t t = 0; t < before.tiles.size(); ++t)
     for (int l = 0; l < before.tiles[t].count; ++l)
-      for (std::size_t d = 0; d < 3; ++d) of[identity_of(before.tile(t), l)][d] = velocity_.data()[(t * 3 + d) * W + static_cast<std::size_t>(l)];
+      for (std::size_t d = 0; d < 3; ++d)
+        of[identity_of(before.tile(t), l)][d] = velocity_.data()[(t * 3 + d) * W + static_cast<std::size_t>(l)];
   for (std::size_t i = 0; i < added.size(); ++i)
     for (std::size_t d = 0; d < 3; ++d) of[of.size() - added.size() + i][d] = static_cast<Real>(added[i].velocity[d]);
   velocity_.resize_and_forget(store_.tiles.size() * 3 * W);
   for (std::size_t t = 0; t < store_.tiles.size(); ++t)
     for (int l = 0; l < W; ++l)
-      for (std::size_t d = 0; d < 3; ++d) velocity_.data()[(t * 3 + d) * W + static_cast<std::size_t>(l)] = of[identity_of(store_.tile(t), l)][d];
+      for (std::size_t d = 0; d < 3; ++d)
+        velocity_.data()[(t * 3 + d) * W + static_cast<std::size_t>(l)] = of[identity_of(store_.tile(t), l)][d];
 }
 
 template <class Real>

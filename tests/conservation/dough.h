@@ -63,7 +63,8 @@ particles_per_cell = 8
 shape = {{ {} }}
 {}
 )",
-                       names, 1 / dt, precision, run, dx, grid, domain, gravity.empty() ? motion : "gravity_m_per_s2 = " + gravity + "\n" + motion, tables,
+                       names, 1 / dt, precision, run, dx, grid, domain,
+                       gravity.empty() ? motion : "gravity_m_per_s2 = " + gravity + "\n" + motion, tables,
                        material.empty() ? properties() : material, ball, body) +
            (tables.find("[leavening]") == std::string::npos ? "[leavening]\nreference_pressure_Pa = 4000\n" : "");
   }
@@ -90,7 +91,8 @@ viscosity_Pa_s = [50, 50, 40, 40]
 temperatures_C = [4, 20, 60, 85]
 pressure_Pa = 300
 production_mol_per_kgs = 0.3
-)" + water + "\n" + extra;
+)" + water +
+           "\n" + extra;
   }
   static std::string moving_water() { return "diffusivity_m2_per_sK = 2e-4\nevaporation_kg_per_m2sK = 0.5"; }
 };

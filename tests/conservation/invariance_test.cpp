@@ -95,7 +95,8 @@ TEST(TheResult, ShiftedByAnEvenNumberOfBlocksHasTheSameBits) {
   check(double(), "double");
 }
 
-void expect_close(const std::map<std::int64_t, Now>& a, const std::map<std::int64_t, Now>& b, const Vector3& mirror, const Vector3& shift, double bound) {
+void expect_close(const std::map<std::int64_t, Now>& a, const std::map<std::int64_t, Now>& b, const Vector3& mirror, const Vector3& shift,
+                  double bound) {
   ASSERT_EQ(a.size(), b.size());
   double worst = 0;
   for (const auto& [id, now] : a)
@@ -176,7 +177,8 @@ TEST(ASnapshot, ShowsEveryParticlesOwnVelocity) {
     const auto now = s->snapshot();
     for (std::size_t i = 0; i < now.id.size(); ++i)  // x moves by dt v, v being the interpolated velocity after the step
       for (std::size_t d = 0; d < 3; ++d)
-        ASSERT_NEAR(now.velocity[i][d], (now.position[i][d] - before.position[i][d]) / dough.dt, 1e-11) << "particle " << i << " at t = " << s->time();
+        ASSERT_NEAR(now.velocity[i][d], (now.position[i][d] - before.position[i][d]) / dough.dt, 1e-11)
+            << "particle " << i << " at t = " << s->time();
     before = now;
   });
   EXPECT_GT(s->counters().orderings, orderings) << "nobody changed its block: nothing was tested";
@@ -204,8 +206,10 @@ TEST(AnEffect, WithParametersOfZeroIsAnEffectThatIsNotThere) {
       {"heat", fallen("motion, heat, elasticity", k_heat)},
       {"water", fallen("motion, water, elasticity", "initial_saturation = 0.2\n")},
       {"plasticity", fallen("motion, elasticity, plasticity", k_strong)},
-      {"leavening", fallen("motion, heat, elasticity, plasticity, leavening", std::string(k_heat) + k_strong, "[leavening]\nreference_pressure_Pa = 1e-30\n")},
-      {"everything", fallen(k_everything, std::string(k_heat) + k_strong + "initial_saturation = 0.2\n", "[leavening]\nreference_pressure_Pa = 1e-30\n")},
+      {"leavening", fallen("motion, heat, elasticity, plasticity, leavening", std::string(k_heat) + k_strong,
+                           "[leavening]\nreference_pressure_Pa = 1e-30\n")},
+      {"everything",
+       fallen(k_everything, std::string(k_heat) + k_strong + "initial_saturation = 0.2\n", "[leavening]\nreference_pressure_Pa = 1e-30\n")},
   };
   for (const auto& [name, with] : others) {
     ASSERT_EQ(with.size(), without.size());

@@ -84,13 +84,15 @@ Defect defect_of(double dx, bool uniform) {
   dough.dt = 2e-4;
   dough.material = Dough::properties("diffusivity_m2_per_sK = 2e-4");
   dough.ball = "sphere = { radius_m = 0.5 }";
-  dough.body = std::string("temperature_C = 60\nsaturation = 0.4\n") + (uniform ? "" : "spin_rad_per_s = [0, 0, 4]\nvelocity_m_per_s = [1, 0, 0]");
+  dough.body =
+      std::string("temperature_C = 60\nsaturation = 0.4\n") + (uniform ? "" : "spin_rad_per_s = [0, 0, 4]\nvelocity_m_per_s = [1, 0, 0]");
   dough.tables = std::string(uniform ? "" : "[oven]\ntemperature_C = 100\nexchange_W_per_m2K = 1000\n") + R"([[body]]
 material = "dough"
 particles_per_cell = 8
 temperature_C = 60
 saturation = 0.1
-velocity_m_per_s = )" + (uniform ? "[0, 0, 0]" : "[-1, 0, 0.5]") + R"(
+velocity_m_per_s = )" +
+                 (uniform ? "[0, 0, 0]" : "[-1, 0, 0.5]") + R"(
 shape = { sphere = { centre_m = [0, 0, 0.7], radius_m = 0.25 } }
 )";
   if (uniform)  // nothing that would change a temperature

@@ -215,7 +215,8 @@ shape = { half_space = { point_m = [0, 0, -0.35], normal = [0, 0, 1] } }
 TEST(BodiesThatOverlap, PushEachOtherApartAndKeepTheirBooks) {
   Dough dough = small();
   dough.effects = k_everything;
-  dough.tables = "[[body]]\nmaterial = \"dough\"\nparticles_per_cell = 8\nshape = { sphere = { centre_m = [0.2, 0, 0], radius_m = 0.3 } }\n";
+  dough.tables =
+      "[[body]]\nmaterial = \"dough\"\nparticles_per_cell = 8\nshape = { sphere = { centre_m = [0.2, 0, 0], radius_m = 0.3 } }\n";
   const auto s = dough.begin();
   const Sums start(*s);
   EXPECT_TRUE(s->advance(0.2, 0.3));

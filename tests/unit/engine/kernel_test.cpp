@@ -95,8 +95,9 @@ TYPED_TEST(BSpline, StencilsOfABlockAndItsMarginStayInItsTile) {
 TYPED_TEST(BSpline, PositionsBeyondTheMarginAreOutside) {
   using Real = typename TypeParam::Real;
   constexpr double shift = Kernel<TypeParam::order>::base_shift;
-  for (const double beyond : {Kernel<TypeParam::order>::lowest_base + shift - 1e-3, Kernel<TypeParam::order>::highest_base + 1 + shift + 1e-3,
-                              1e6, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+  for (const double beyond :
+       {Kernel<TypeParam::order>::lowest_base + shift - 1e-3, Kernel<TypeParam::order>::highest_base + 1 + shift + 1e-3, 1e6,
+        std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     for (int d = 0; d < 3; ++d) {
       Lanes<Real> x[3] = {lanes<Real>(2), lanes<Real>(2), lanes<Real>(2)};
       x[d] = lanes<Real>(static_cast<Real>(beyond));

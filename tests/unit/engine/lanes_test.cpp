@@ -89,7 +89,8 @@ double error_in_ulps(Function f, Exact exact, double low, double high) {
 constexpr double k_ulps = 4;
 
 TYPED_TEST(Lanes, SquareRootAgreesWithTheStandardLibrary) {
-  EXPECT_LE(error_in_ulps<TypeParam>([](auto x) { return sqrt(x); }, [](long double x) { return std::sqrt(x); }, 0, 1e6), 2);  // by reciprocal and Newton
+  EXPECT_LE(error_in_ulps<TypeParam>([](auto x) { return sqrt(x); }, [](long double x) { return std::sqrt(x); }, 0, 1e6),
+            2);  // by reciprocal and Newton
 }
 TYPED_TEST(Lanes, LogarithmAgreesWithTheStandardLibrary) {
   const auto f = [](auto x) { return log(x); };

@@ -17,8 +17,9 @@ template <class Real>
 class PoreGas : public testing::Test {
  public:
   static constexpr double eps = static_cast<double>(std::numeric_limits<Real>::epsilon());
-  const Scene scene = scene_of_everything("initial_porosity = 0.3\ninitial_temperature_C = 10\nyield_stress_Pa = 1\n"
-                                          "production_mol_per_kgs = 0.03\nleavener_mol_per_m3 = 2\n");
+  const Scene scene = scene_of_everything(
+      "initial_porosity = 0.3\ninitial_temperature_C = 10\nyield_stress_Pa = 1\n"
+      "production_mol_per_kgs = 0.03\nleavener_mol_per_m3 = 2\n");
   const Leavening::Constants<Real> k{scene, scene.materials[0]};
   static constexpr double p_ref = 101325, theta_0K = 283.15;
 
@@ -39,9 +40,24 @@ TYPED_TEST_SUITE(PoreGas, Reals);
 
 TYPED_TEST(PoreGas, PushesAgainstNothingAtTheStart) { EXPECT_NEAR(this->pressure(1, 10), 0, 8 * this->eps * this->p_ref); }
 
+TYPED_TEST(PoreGas, PushesAgainstNothingAtTheStartHoweverDenseOrLightTheDough) {
+  for (const char* porosity : {"1e-3", "0.015", "0.5", "0.99"}) {
+    const Scene dough =
+        scene_of_everything(std::string("yield_stress_Pa = 1\ninitial_temperature_C = 10\ninitial_porosity = ") + porosity + "\n");
+    const Leavening::Constants<TypeParam> constants(dough, dough.materials[0]);
+    ParticleOfEverything<TypeParam> p;
+    p[field::J] = lanes<TypeParam>(1);
+    p[field::theta] = lanes<TypeParam>(10);
+    Leavening::stress(p, constants);
+    // 1 - (1 - n_0) keeps n_0 up to an epsilon
+    EXPECT_NEAR(static_cast<double>(p[field::tau][0][0]), 0, 8 * this->eps * this->p_ref / std::stod(porosity)) << porosity;
+  }
+}
+
 TYPED_TEST(PoreGas, AClosedPoreHeatedAtFixedVolumeFollowsTheTemperatureRatio) {
   for (const double theta : {-20.0, 50.0, 100.0, 400.0})
-    EXPECT_NEAR(this->pressure(1, theta) + this->p_ref, this->p_ref * (theta + 273.15) / this->theta_0K, 16 * this->eps * 3 * this->p_ref) << theta;
+    EXPECT_NEAR(this->pressure(1, theta) + this->p_ref, this->p_ref * (theta + 273.15) / this->theta_0K, 16 * this->eps * 3 * this->p_ref)
+        << theta;
 }
 
 TYPED_TEST(PoreGas, HeatedFreelyItsPoresGrowWithTheTemperature) {
@@ -57,7 +73,8 @@ TYPED_TEST(PoreGas, CarbonDioxideTakesTheRoomOfAnIdealGas) {
 }
 
 TYPED_TEST(PoreGas, ASofterAtmosphereLeavesTheEquilibriumVolume) {
-  const Scene soft = scene_of_everything("initial_porosity = 0.3\ninitial_temperature_C = 10\nyield_stress_Pa = 1\n", "[leavening]\nreference_pressure_Pa = 4000\n");
+  const Scene soft = scene_of_everything("initial_porosity = 0.3\ninitial_temperature_C = 10\nyield_stress_Pa = 1\n",
+                                         "[leavening]\nreference_pressure_Pa = 4000\n");
   const Leavening::Constants<TypeParam> k(soft, soft.materials[0]);
   ParticleOfEverything<TypeParam> p;
   const double nu = 30, pores = (this->p_ref * 0.3 / this->theta_0K + 8.314 * nu) * 373.15 / this->p_ref;
@@ -114,7 +131,8 @@ TYPED_TEST(PoreGas, TheReactionIsFastestAtItsPeakAndABellAround) {
 
 TYPED_TEST(PoreGas, FreshDoughIsFreeOfStressWhateverTheEffects) {
   const Scene scene = scene_of_everything(
-      "initial_porosity = 0.3\ninitial_temperature_C = 10\ninitial_saturation = 0.2\nexpansion_per_K = 1e-3\npressure_Pa = 300\nyield_stress_Pa = 1\n");
+      "initial_porosity = 0.3\ninitial_temperature_C = 10\ninitial_saturation = 0.2\nexpansion_per_K = 1e-3\npressure_Pa = "
+      "300\nyield_stress_Pa = 1\n");
   const auto& m = scene.materials[0];
   ParticleOfEverything<TypeParam> p;
   p[field::J] = p[field::J_P] = lanes<TypeParam>(1);

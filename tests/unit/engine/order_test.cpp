@@ -99,7 +99,8 @@ TYPED_TEST(Ordering, LosesNobodyAndMovesNobody) {
     EXPECT_EQ(seen.material, was.material);
     EXPECT_EQ(seen.keepsake, was.keepsake);
     // counted from another block's first node: rounded once, below 8; and so are the sums with the block's corner, below 32
-    for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(seen.x[d], was.x[d], 16 * static_cast<double>(std::numeric_limits<TypeParam>::epsilon()));
+    for (std::size_t d = 0; d < 3; ++d)
+      EXPECT_NEAR(seen.x[d], was.x[d], 16 * static_cast<double>(std::numeric_limits<TypeParam>::epsilon()));
   }
 }
 
@@ -125,7 +126,8 @@ TYPED_TEST(Ordering, WithinABlockParticlesAreSortedByMaterialThenCellAndOtherwis
   order_particles<TypeParam>(from, nullptr, this->lattice, nullptr, once);
   order_particles<TypeParam>(once, nullptr, this->lattice, nullptr, twice);
   ASSERT_EQ(once.tiles.size(), twice.tiles.size());
-  for (std::size_t i = 0; i < once.data.size(); ++i) ASSERT_EQ(once.data.data()[i], twice.data.data()[i]) << "ordering what is ordered changed it";
+  for (std::size_t i = 0; i < once.data.size(); ++i)
+    ASSERT_EQ(once.data.data()[i], twice.data.data()[i]) << "ordering what is ordered changed it";
   for (const HomeBlock& block : once.blocks) {
     std::array<int, 3> last{-1, -1, -1};  // material, cell, identity: identities rise in the order of storage of `from`
     for (std::int32_t t = block.first_tile; t < block.first_tile + block.tiles; ++t)

@@ -11,9 +11,9 @@ template <class Scalar>
 struct ParticleOfEverything {
   using Real = Scalar;
   using V = Lanes<Real>;
-  using Fields = FieldList<field::Position, field::InitialVolume, field::SolidMass, field::Velocity, field::AffineVelocity, field::VolumeRatio,
-                           field::KirchhoffStress, field::ElasticStrain, field::HenckyStrain, field::PlasticVolumeRatio, field::Temperature,
-                           field::PeakTemperature, field::WaterMass, field::ProducedGas, field::Leavener>;
+  using Fields = FieldList<field::Position, field::InitialVolume, field::SolidMass, field::Velocity, field::AffineVelocity,
+                           field::VolumeRatio, field::KirchhoffStress, field::ElasticStrain, field::HenckyStrain, field::PlasticVolumeRatio,
+                           field::Temperature, field::PeakTemperature, field::WaterMass, field::ProducedGas, field::Leavener>;
   template <class F>
   static constexpr bool has = true;
 

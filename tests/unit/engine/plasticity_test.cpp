@@ -80,8 +80,8 @@ class ReturnMapping : public testing::Test {
   static double solve(const Trial& t, bool quadratic) {
     const V all_flow = lanes<Real>(1);
     const auto pack = [](double x) { return lanes<Real>(static_cast<Real>(x)); };
-    return static_cast<double>(Plasticity::solve<V>(pack(t.ap2), pack(t.q2), pack(t.aK), static_cast<Real>(t.mu3), pack(t.tau_y), pack(t.eta_dt),
-                                                    all_flow > lanes<Real>(0), quadratic)[0]);
+    return static_cast<double>(Plasticity::solve<V>(pack(t.ap2), pack(t.q2), pack(t.aK), static_cast<Real>(t.mu3), pack(t.tau_y),
+                                                    pack(t.eta_dt), all_flow > lanes<Real>(0), quadratic)[0]);
   }
   /// The trial as the solver sees it.
   static Trial rounded(const Trial& t) {
@@ -108,8 +108,8 @@ class ReturnMapping : public testing::Test {
       const long double right = brute_force(t, quadratic);
       // the state, not z: near the yield surface z itself is the difference of two almost equal numbers
       const double error = static_cast<double>(std::abs(shrinkage(t, z) - shrinkage(t, right)) / shrinkage(t, right));
-      ASSERT_LE(error, k_bound) << "ap2 " << t.ap2 << " q2 " << t.q2 << " aK " << t.aK << " 3mu " << t.mu3 << " tau_y " << t.tau_y << " eta/dt "
-                                << t.eta_dt << ": z " << z << " not " << static_cast<double>(right);
+      ASSERT_LE(error, k_bound) << "ap2 " << t.ap2 << " q2 " << t.q2 << " aK " << t.aK << " 3mu " << t.mu3 << " tau_y " << t.tau_y
+                                << " eta/dt " << t.eta_dt << ": z " << z << " not " << static_cast<double>(right);
     }
     EXPECT_GE(flowing, 5000);
   }
@@ -139,7 +139,8 @@ struct Mapped {
   Plasticity::Constants<Real> k;
   double tr_before, shear2_before;
 
-  Mapped(const std::string& material, const std::string& tables, const double (&strain)[6], double J_P = 1, double theta = 20, double dt = 0.01)
+  Mapped(const std::string& material, const std::string& tables, const double (&strain)[6], double J_P = 1, double theta = 20,
+         double dt = 0.01)
       : scene(scene_of_everything(material, tables)), k(scene, scene.materials[0]) {
     report.alive = lanes<Real>(1);
     for (int i = 0; i < 6; ++i) p[field::epsilon][i] = lanes<Real>(static_cast<Real>(strain[i]));
@@ -175,7 +176,8 @@ constexpr double k_strain[6] = {0.02, -0.03, 0.025, 0.01, -0.02, 0.015};
 TYPED_TEST(ReturnMapping, WithoutViscosityTheStateEndsOnTheYieldSurface) {
   for (const char* norm : {"distance", "quadratic"})
     for (const double J_P : {1.0, 1.5, 0.95}) {
-      Mapped<TypeParam> m("initial_porosity = 0.2\nyield_stress_Pa = 20\n", std::string("[plasticity]\nnorm = \"") + norm + "\"\n", k_strain, J_P);
+      Mapped<TypeParam> m("initial_porosity = 0.2\nyield_stress_Pa = 20\n", std::string("[plasticity]\nnorm = \"") + norm + "\"\n",
+                          k_strain, J_P);
       const double a = cap_of(1 - 0.8 / J_P), K = static_cast<double>(m.k.bulk), mu = static_cast<double>(m.k.mu);
       const double r = std::sqrt(a * std::pow(K * m.trace_of(), 2) + 6 * mu * mu * m.shear2());
       EXPECT_NEAR(r, 20, 20 * TestFixture::k_bound) << norm << " J_P = " << J_P;
@@ -203,7 +205,8 @@ TYPED_TEST(ReturnMapping, DissipationIsNeverNegative) {
     double strain[6];
     for (double& s : strain) s = std::pow(10, -4 + 4 * (i % 5) / 5.0) * normal(random);
     const std::string viscosity = i % 3 == 0 ? "0" : i % 3 == 1 ? "1e-3" : "1e6";
-    Mapped<TypeParam> m("yield_stress_Pa = 2\nviscosity_Pa_s = " + viscosity + "\n", i % 2 ? "[plasticity]\nnorm = \"quadratic\"\n" : "", strain);
+    Mapped<TypeParam> m("yield_stress_Pa = 2\nviscosity_Pa_s = " + viscosity + "\n", i % 2 ? "[plasticity]\nnorm = \"quadratic\"\n" : "",
+                        strain);
     EXPECT_GE(m.dissipated(), 0);
     EXPECT_TRUE(std::isfinite(m.dissipated()));
   }
@@ -223,7 +226,8 @@ TYPED_TEST(ReturnMapping, NoYieldStressAndNoViscosityIsAFluidWithoutStress) {
 /// Yield stress and viscosity at a temperature, after a peak.
 template <class Real>
 std::pair<double, double> curve_at(double theta, double peak) {
-  const Scene scene = scene_of_everything("temperatures_C = [4, 20, 60, 85]\nyield_stress_Pa = [20, 30, 15, 400]\nviscosity_Pa_s = [500, 400, 300, 100]\n");
+  const Scene scene =
+      scene_of_everything("temperatures_C = [4, 20, 60, 85]\nyield_stress_Pa = [20, 30, 15, 400]\nviscosity_Pa_s = [500, 400, 300, 100]\n");
   const Plasticity::Constants<Real> k(scene, scene.materials[0]);
   Lanes<Real> tau_y, eta;
   Plasticity::curves<Lanes<Real>>(lanes<Real>(static_cast<Real>(theta)), lanes<Real>(static_cast<Real>(peak)), k, tau_y, eta);
@@ -254,7 +258,9 @@ TYPED_TEST(ReturnMapping, PorosityIsHeldBetweenNothingAndNearlyAll) {
   const Scene scene = scene_of_everything("initial_porosity = 0.2\nyield_stress_Pa = 1\n");
   const Plasticity::Constants<TypeParam> k(scene, scene.materials[0]);
   using V = Lanes<TypeParam>;
-  const auto porosity = [&](double J_P) { return static_cast<double>(Plasticity::porosity<V>(lanes<TypeParam>(static_cast<TypeParam>(J_P)), k)[0]); };
+  const auto porosity = [&](double J_P) {
+    return static_cast<double>(Plasticity::porosity<V>(lanes<TypeParam>(static_cast<TypeParam>(J_P)), k)[0]);
+  };
   EXPECT_NEAR(porosity(1), 0.2, TestFixture::k_bound);
   EXPECT_NEAR(porosity(1.6), 0.5, TestFixture::k_bound);
   EXPECT_EQ(porosity(0.1), static_cast<double>(TypeParam(1e-6)));

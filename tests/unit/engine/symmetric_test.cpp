@@ -119,7 +119,8 @@ TYPED_TEST(SymmetricMatrices, ALaneDoesNotDependOnItsNeighbours) {
     for (int lane = 0; lane < k_width<TypeParam>; ++lane) {
       Symmetric<Lanes<TypeParam>> alone{}, among{};
       put<TypeParam>(mine, lane, alone);
-      for (int l = 0; l < k_width<TypeParam>; ++l) put<TypeParam>(l == lane ? mine : random_symmetric(random, l % 2 ? 1.5 : 1e-3, -0.8), l, among);
+      for (int l = 0; l < k_width<TypeParam>; ++l)
+        put<TypeParam>(l == lane ? mine : random_symmetric(random, l % 2 ? 1.5 : 1e-3, -0.8), l, among);
       const auto log_alone = half_log1p<TypeParam>(alone), log_among = half_log1p<TypeParam>(among);
       const auto exp_alone = expm1_twice<TypeParam>(alone), exp_among = expm1_twice<TypeParam>(among);
       for (int k = 0; k < 6; ++k) {
