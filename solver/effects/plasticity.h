@@ -172,7 +172,7 @@ struct Plasticity {
     V tau_y, eta;
     curves<V>(p.temperature(), p.peak_temperature(), k, tau_y, eta);
     const V n = porosity<V>(p[field::J_P], k);
-    const V a = (n <= Real(k_no_pores)) & (p_tr > 0) ? 0 * n : cap<V>(n);  // without pores there is nothing to compact
+    const V a = ((n <= Real(k_no_pores)) & (p_tr > 0)) ? 0 * n : cap<V>(n);  // without pores there is nothing to compact
     const V ap2 = a * p_tr * p_tr;
     const auto flowing = ap2 + q2 > tau_y * tau_y;
     if (!any(flowing)) return;
