@@ -408,7 +408,7 @@ void Engine<Real>::pass(double next_dt, bool sample) {
   {
     const auto threads = static_cast<std::size_t>(omp_get_num_threads()), me = static_cast<std::size_t>(omp_get_thread_num());
     const std::size_t first = numbers * me / threads, last = numbers * (me + 1) / threads;
-    std::memset(other_.data() + first, 0, (last - first) * sizeof(Real));
+    if (last > first) std::memset(other_.data() + first, 0, (last - first) * sizeof(Real));
   }
   std::vector<BlockResult<Real>> results(store_.blocks.size());
   for (const auto& columns : colours_.columns) {
