@@ -23,7 +23,8 @@ std::string name_of(const testing::TestParamInfo<std::tuple<Push, const char*, c
 class EveryPush : public testing::TestWithParam<std::tuple<Push, const char*, const char*>> {};
 
 TEST_P(EveryPush, IsBooked) {
-  const auto& [push, effects, precision] = GetParam();
+  const auto& push = std::get<0>(GetParam());
+  const std::string effects = std::get<1>(GetParam()), precision = std::get<2>(GetParam());
   Dough dough;
   dough.effects = effects;
   dough.precision = precision;
@@ -31,7 +32,7 @@ TEST_P(EveryPush, IsBooked) {
   dough.body = push.body;
   dough.domain = push.domain;
   dough.tables = push.tables;
-  if (std::string_view(effects) == k_everything) dough.dt = 2.5e-4;  // pores that are pressed shut are stiff
+  if (effects == k_everything) dough.dt = 2.5e-4;  // pores that are pressed shut are stiff
   if (std::string_view(push.name).ends_with("Floor")) dough.ball = "sphere = { centre_m = [0, 0, -0.7], radius_m = 0.25 }";
   const auto s = dough.begin();
   const Sums start(*s);
