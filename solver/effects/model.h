@@ -64,7 +64,7 @@ class Model final : public Physics<Real> {
   void stress_and_scatter(Particle& p, const Constants& k, V* scattered, int stride, const Step<Real>& step, Report<Real>& report) const;
 
   std::vector<Constants> materials_;
-  Real latent_heat_;
+  Real inertia_, latent_heat_;
   bool published_exchange_;
 };
 
@@ -145,6 +145,7 @@ struct Model<Real, Effects...>::Node {
   const V* scattered;
   V* gathered;
   const Surroundings<Real>& surroundings;
+  Real inertia;  ///< inertial mass per mass
   Real latent_heat_per_kg;
   bool published_exchange;
   V moved_water = V{};  ///< change of the water mass, evaporation included [kg]
@@ -200,6 +201,7 @@ Model<Real, Effects...>::Model(const Scene& scene) {
     this->filled_channel = this->volume_channel;
   if constexpr (Gathered::template has<channel::NodeTemperature>)
     this->temperature_channel = Gathered::template offset<channel::NodeTemperature>;
+  inertia_ = static_cast<Real>(scene.of<Motion>().inertia_scale);
   latent_heat_ = static_cast<Real>(scene.of<Water>().latent_heat_J_per_kg);
   published_exchange_ = scene.of<Heat>().exchange_form == Form::published;
   for (const Material& m : scene.materials)
@@ -276,7 +278,7 @@ BAKE_INLINE void Model<Real, Effects...>::stress_and_scatter(Particle& p, const 
 template <class Real, class... Effects>
 void Model<Real, Effects...>::update_nodes(const V* scattered, V* gathered, V* mass, V* heat_weight, const Surroundings<Real>& around,
                                            const Step<Real>& step, Bookings& booked) const {
-  Node node{scattered, gathered, around, latent_heat_, published_exchange_};
+  Node node{scattered, gathered, around, inertia_, latent_heat_, published_exchange_};
   const auto one = [&]<class Effect>() {
     if constexpr (requires { Effect::update(node, step, booked); }) Effect::update(node, step, booked);
   };

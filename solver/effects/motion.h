@@ -108,11 +108,12 @@ struct Motion {
     if constexpr (N::template scatters<channel::WaterChange>) mass += node.moved_water + node.evaporated;
     const auto inverse = mass > 0 ? 1 / mass : 0 * mass;
     for (int i = 0; i < 3; ++i) node.out(channel::velocity, i) = node[channel::momentum][i] * inverse;
-    node.moving_mass = mass;
+    node.moving_mass = node[channel::mass];
     if constexpr (N::template scatters<channel::WaterChange>) {
-      node.moving_mass -= node.evaporated;
+      node.moving_mass += node.inertia * node.moved_water;
       for (int i = 0; i < 3; ++i)
-        book(booked, static_cast<Entry>(static_cast<int>(Entry::impulse_x) + i), -node.evaporated * node.out(channel::velocity, i));
+        book(booked, static_cast<Entry>(static_cast<int>(Entry::impulse_x) + i),
+             -node.inertia * node.evaporated * node.out(channel::velocity, i));
     }
     if constexpr (N::template scatters<channel::OldMomentum>)
       for (int i = 0; i < 3; ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The teaching scenes and the bread, run at draft by the real program as a user would: they end, their books close, and what they
+// The teaching scenes, pouring and the bread, run at draft by the real program as a user would: they end, their books close, and what they
 // show stays what it is in nature. Bounds are derived beside each check.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -154,6 +154,19 @@ TEST(TeachingScene, PulledDoughIsAsLongAsItsGripsHoldIt) {
   EXPECT_GT(dissipated.back(), 10 * largest(run["elastic_J"]));  // strained far beyond yield: 58 % against tau_y / E = 2 %
   EXPECT_NEAR(length[24] - length.front(), 0.14, 0.02);          // both grips have moved by 0.07 m; within a cell
   EXPECT_LT(length.back(), length[24] + 1e-3);                   // it springs back, and no further
+}
+
+TEST(PouringScene, WhatIsPouredIsBookedAndKeepsItsVolume) {
+  const Baked run("features/pouring.toml", 48);
+  ASSERT_NO_FATAL_FAILURE(expect_finished(run, 48));
+  const double mass = run["solid_mass_kg"].back(), poured = mass / 1000;  // of 1000 kg/m^3
+  EXPECT_NEAR(run["emitted_mass_kg"].back(), mass, 1e-6 * mass);
+  // 1 s through a spout of 2.5 cm at 0.25 m/s, to one portion (2 cm of the 25 cm poured) and the spout's rim on the grid (10 %).
+  const double wanted = std::numbers::pi * 0.025 * 0.025 * 0.25;
+  EXPECT_NEAR(poured, wanted, (2.0 / 25 + 0.1) * wanted);
+  // Only its pores (a tenth) can be pressed out, and elastically its own weight: 300 Pa against a bulk modulus of 8300 Pa, 4 %.
+  EXPECT_GT(run["volume_m3"].back(), 0.9 * 0.96 * poured);
+  EXPECT_LT(run["volume_m3"].back(), 1.01 * poured);
 }
 
 TEST(Bread, RisesInItsFirstSeconds) {
