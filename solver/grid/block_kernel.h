@@ -29,7 +29,7 @@ struct BlockWork {
   const Real* gathered = nullptr;  ///< grid that is read: rows of `row_size` numbers
   Real* scattered = nullptr;       ///< grid that is added to
   Step<Real> step;
-  Real* velocity = nullptr;        ///< if not null: [tile][3][W]
+  Real* velocity = nullptr;  ///< if not null: [tile][3][W]
   const Contacts* contacts = nullptr;
   Real origin[3];                  ///< of the lattice [m]
   Real low_face[3], high_face[3];  ///< domain, in node distances from the lattice's first node
