@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "studies/convergence/errors.h"
+
+#include <algorithm>
+
+#include "studies/convergence/cases.h"
+#include "studies/order.h"
+
+namespace bake::studies {
+
+double Errors::value() const {
+  return figure == Figure::order ? fitted_order(refinements, errors) : *std::max_element(errors.begin(), errors.end());
+}
+
+const std::vector<Case>& all_cases() {
+  static const std::vector<Case> cases{
+      {"slab_cosine", "an insulated slab with a cosine of temperature: it decays with exp(-pi^2 Fo)", slab_cosine},
+      {"slab_halves", "a hot and a cold half of an insulated slab: cosine series", slab_halves},
+      {"slab_held", "a slab whose faces are held at 1 and 0: sine series", slab_held},
+      {"slab_held_and_insulated", "a slab held at 1 on one face, insulated on the other: sine series", slab_held_and_insulated},
+  };
+  return cases;
+}
+
+}  // namespace bake::studies

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Every case of `bake study convergence` at its quick resolutions. Bands and their reasons stand with the cases, in
+// studies/convergence, and are printed where one is missed.
+#include <gtest/gtest.h>
+
+#include "studies/convergence/cases.h"
+#include "studies/convergence/convergence.h"
+#include "studies/order.h"
+
+namespace bake::studies {
+namespace {
+
+void expect_held(std::vector<Errors> (*measure)(bool quick)) {
+  for (const Errors& e : measure(true)) {
+    ASSERT_GE(e.errors.size(), e.figure == Errors::Figure::order ? 3u : 1u) << e.quantity;
+    EXPECT_TRUE(e.holds()) << in_words(e);
+  }
+}
+
+TEST(TheFittedOrder, IsTheExponentOfAPowerLaw) {
+  EXPECT_NEAR(fitted_order(std::vector{8., 16., 40.}, std::vector{3 / 64., 3 / 256., 3 / 1600.}), 2, 1e-12);
+}
+
+TEST(Slab, DecaysAtSecondOrderInside) { expect_held(slab_cosine); }
+TEST(Slab, KeepsAJumpBetweenNeighboursWithinACell) { expect_held(slab_halves); }
+TEST(Slab, WarmsAtFirstOrderBetweenHeldFaces) {
+  expect_held(slab_held);
+  expect_held(slab_held_and_insulated);
+}
+
+}  // namespace
+}  // namespace bake::studies
