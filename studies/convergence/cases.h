@@ -10,5 +10,10 @@ std::vector<Errors> slab_cosine(bool quick);
 std::vector<Errors> slab_halves(bool quick);
 std::vector<Errors> slab_held(bool quick);
 std::vector<Errors> slab_held_and_insulated(bool quick);
+std::vector<Errors> robin(bool quick);
+std::vector<Errors> square(bool quick);
+std::vector<Errors> eulers(bool quick);
+std::vector<Errors> fick(bool quick);
+std::vector<Errors> barenblatt(bool quick);
 
 }  // namespace bake::studies

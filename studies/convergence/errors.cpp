@@ -18,6 +18,11 @@ const std::vector<Case>& all_cases() {
       {"slab_halves", "a hot and a cold half of an insulated slab: cosine series", slab_halves},
       {"slab_held", "a slab whose faces are held at 1 and 0: sine series", slab_held},
       {"slab_held_and_insulated", "a slab held at 1 on one face, insulated on the other: sine series", slab_held_and_insulated},
+      {"robin", "a slab that cools in air at Bi = 0.1, 1, 10: series over the roots of z tan z = Bi", robin},
+      {"square", "a square section whose sides are held at 1: double sine series", square},
+      {"eulers", "forward and backward Euler of heat: the same grid with half the step", eulers},
+      {"fick", "a small cosine of saturation: it decays with exp(-pi^2 Fo)", fick},
+      {"barenblatt", "water that spreads by q = -K theta rho s grad s into dry solid: Barenblatt's parabola, front ~ t^(1/3)", barenblatt},
   };
   return cases;
 }

@@ -28,5 +28,12 @@ TEST(Slab, WarmsAtFirstOrderBetweenHeldFaces) {
   expect_held(slab_held_and_insulated);
 }
 
+TEST(Slab, CoolsInAirAtFirstOrder) { expect_held(robin); }
+TEST(Square, WarmsAtFirstOrderBetweenHeldSides) { expect_held(square); }
+TEST(BothEulers, AreOfFirstOrderInTime) { expect_held(eulers); }
+
+TEST(Water, DiffusesAtSecondOrderInside) { expect_held(fick); }
+TEST(Water, SpreadsIntoDrySolidAsBarenblattSaysButLagsAtTheFront) { expect_held(barenblatt); }
+
 }  // namespace
 }  // namespace bake::studies

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Heat in a long bar of square section, one metre wide, whose sides are held at 1: theta_t = theta_xx + theta_yy, theta = 0 at first.
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "solver/scene/reader.h"
+#include "studies/convergence/bar.h"
+#include "studies/convergence/cases.h"
+
+namespace bake::studies {
+
+namespace {
+
+using std::numbers::pi;
+
+double warmed(double x, double y, double t) {
+  double sum = 0;
+  for (int m = 1; m < 40; m += 2)
+    for (int n = 1; n < 40; n += 2) sum += std::sin(m * pi * x) * std::sin(n * pi * y) * std::exp(-pi * pi * (m * m + n * n) * t) / (m * n);
+  return 1 - 16 / (pi * pi) * sum;
+}
+
+std::string held_side(const char* point, const char* normal) {
+  return fmt::format("[[grip]]\nshape = {{ half_space = {{ point_m = {}, normal = {} }} }}\ntemperature_C = 1\n", point, normal);
+}
+
+/// One cell thick, with two cells beyond each side for the grips.
+std::unique_ptr<Simulation> section(double cells, double end_s) {
+  omp_set_num_threads(1);
+  const double dx = 1 / cells, low = -2 * dx, high = 1 + 2 * dx;
+  const std::string text = fmt::format(R"(
+effects = ["heat"]
+[run]
+end_s = 1e9
+frame_rate_per_s = {:.17g}
+precision = "double"
+[time]
+safety = 1
+[grid]
+dx_m = {:.17g}
+[domain]
+min_m = [{:.17g}, {:.17g}, 0]
+max_m = [{:.17g}, {:.17g}, {:.17g}]
+[[material]]
+name = "dough"
+density_kg_per_m3 = 1
+initial_temperature_C = 0
+specific_heat_J_per_kgK = 1
+conductivity_W_per_mK = 1
+[[body]]
+material = "dough"
+particles_per_cell = 8
+jitter = 0
+shape = {{ box = {{ centre_m = [0.5, 0.5, {:.17g}], half_extents_m = [{:.17g}, {:.17g}, {:.17g}] }} }}
+)",
+                                       1 / end_s, dx, low, low, high, high, dx, dx / 2, 0.5 + 2 * dx, 0.5 + 2 * dx, dx / 2) +
+                           held_side("[0, 0, 0]", "[1, 0, 0]") + held_side("[1, 0, 0]", "[-1, 0, 0]") +
+                           held_side("[0, 0, 0]", "[0, 1, 0]") + held_side("[0, 1, 0]", "[0, -1, 0]");
+  return Simulation::begin(parse_scene(text, "square.toml"));
+}
+
+}  // namespace
+
+std::vector<Errors> square(bool quick) {
+  constexpr double t = 0.05;
+  Errors e;
+  e.quantity = fmt::format("temperature at Fo = {}, rms over the inner three fifths", t);
+  e.refined = "cells";
+  e.low = 0.8, e.high = 1.5;
+  e.why = "first order, as for the slab with held faces";
+  e.refinements = quick ? std::vector<double>{12, 24, 48} : std::vector<double>{12, 24, 48, 72};
+  for (const double n : e.refinements) {
+    const auto s = section(n, t);
+    run_to(*s, t);
+    const Snapshot now = s->snapshot();
+    const auto& theta = now["temperature"];
+    std::vector<double> inside;
+    for (std::size_t i = 0; i < theta.size(); ++i) {
+      const double x = now.position[i][0], y = now.position[i][1];
+      if (std::abs(x - 0.5) < 0.3 && std::abs(y - 0.5) < 0.3) inside.push_back(theta[i] - warmed(x, y, t));
+    }
+    e.errors.push_back(root_mean_square(inside));
+  }
+  return {e};
+}
+
+}  // namespace bake::studies
