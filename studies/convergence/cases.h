@@ -15,5 +15,10 @@ std::vector<Errors> square(bool quick);
 std::vector<Errors> eulers(bool quick);
 std::vector<Errors> fick(bool quick);
 std::vector<Errors> barenblatt(bool quick);
+std::vector<Errors> pulse_wave(bool quick);
+std::vector<Errors> free_bar(bool quick);
+std::vector<Errors> clamped_bar(bool quick);
+std::vector<Errors> hencky_fan(bool quick);
+std::vector<Errors> adiabatic(bool quick);
 
 }  // namespace bake::studies

@@ -23,6 +23,11 @@ const std::vector<Case>& all_cases() {
       {"eulers", "forward and backward Euler of heat: the same grid with half the step", eulers},
       {"fick", "a small cosine of saturation: it decays with exp(-pi^2 Fo)", fick},
       {"barenblatt", "water that spreads by q = -K theta rho s grad s into dry solid: Barenblatt's parabola, front ~ t^(1/3)", barenblatt},
+      {"pulse_wave", "a pulse of velocity that parts in two: d'Alembert", pulse_wave},
+      {"free_bar", "an elastic bar with free ends at its first period", free_bar},
+      {"clamped_bar", "an elastic bar between walls at its first period", clamped_bar},
+      {"hencky_fan", "the halves of a bar fly apart: the fan of finite strain in Hencky's material", hencky_fan},
+      {"adiabatic", "dough squeezed without conduction: theta_K ~ J^(-beta_T / (rho_0 c))", adiabatic},
   };
   return cases;
 }
