@@ -2,78 +2,53 @@
 #include "studies/convergence/bar.h"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "solver/scene/reader.h"
-
 namespace bake::studies {
 
 namespace {
 
-std::string box(double from, double to, double width, const std::string& keys) {
+std::string box(const Bar& bar, double from, double to, const std::string& keys) {
+  const double width = bar.across * bar.dx();
   return fmt::format(R"(
 [[body]]
 material = "dough"
-particles_per_cell = 8
+particles_per_cell = {}
 jitter = 0
 shape = {{ box = {{ centre_m = [{:.17g}, {:.17g}, {:.17g}], half_extents_m = [{:.17g}, {:.17g}, {:.17g}] }} }}
 {}
 )",
-                     (from + to) / 2, width / 2, width / 2, (to - from) / 2, width / 2, width / 2, keys);
+                     bar.rows * bar.rows * bar.rows, (from + to) / 2, width / 2, width / 2, (to - from) / 2, width / 2, width / 2, keys);
 }
 
 std::string bodies(const Bar& bar) {
-  const double h = bar.dx() / 2, width = bar.across * bar.dx();
-  const int first = -2 * bar.before, last = 2 * (bar.cells + bar.after);
-  if (!bar.state) return box(first * h, last * h, width, "");
+  const double h = bar.dx() / bar.rows;
+  const int first = -bar.rows * bar.before, last = bar.rows * (bar.cells + bar.after);
+  if (!bar.state) return box(bar, first * h, last * h, "");
   std::string layers;
-  for (int i = first; i < last; ++i) layers += box(i * h, (i + 1) * h, width, bar.state((i + 0.5) * h));
+  for (int i = first; i < last; ++i) layers += box(bar, i * h, (i + 1) * h, bar.state((i + 0.5) * h));
   return layers;
 }
 
 }  // namespace
 
 std::unique_ptr<Simulation> Bar::begin() const {
-  omp_set_num_threads(1);  // a bar is too small to share
-  const double width = across * dx(), low = -(before + air) * dx(), high = 1 + (after + air) * dx();
-  const std::string text =
-      fmt::format(R"(
-effects = [{}]
-[run]
-end_s = 1e9
-frame_rate_per_s = {:.17g}
-precision = "double"
-[grid]
-dx_m = {:.17g}
-[domain]
-min_m = [{:.17g}, 0, 0]
-max_m = [{:.17g}, {:.17g}, {:.17g}]
-x_min = {}
-x_max = {}
-y_min = "slip"
-y_max = "slip"
-z_min = "slip"
-z_max = "slip"
-[time]
-{}
-[motion]
-gravity_m_per_s2 = [0, 0, 0]
-[[material]]
-name = "dough"
-density_kg_per_m3 = 1
-{}
-{}
-{}
-)",
-                  effects, 1 / end_s, dx(), low, high, width, width, faces, faces, time, material, tables, bodies(*this));
-  return Simulation::begin(parse_scene(text, "bar.toml"));
+  const double width = across * dx();
+  Setting setting;
+  setting.effects = effects;
+  setting.end_s = end_s;
+  setting.dx = dx();
+  setting.low = {-(before + air) * dx(), 0, 0};
+  setting.high = {1 + (after + air) * dx(), width, width};
+  setting.faces = fmt::format("x_min = {0}\nx_max = {0}\ny_min = \"slip\"\ny_max = \"slip\"\nz_min = \"slip\"\nz_max = \"slip\"\n", faces);
+  setting.time = time;
+  setting.material = material;
+  setting.tables = tables + bodies(*this);
+  return setting.begin();
 }
-
-void run_to(Simulation& simulation, double time) { simulation.advance(time, time); }
 
 std::vector<double> differences(const Snapshot& now, const Field& found, const Profile& exact, const Span& span) {
   std::vector<double> values;

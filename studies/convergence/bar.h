@@ -7,15 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "solver/baker/simulation.h"
+#include "studies/convergence/setting.h"
 
 namespace bake::studies {
 
 /// The bar is 1 m long, from x = 0 to 1, and fills its domain along y and z, whose faces are slip and pass neither heat nor water.
-/// Particles stand in rows, two to a cell along each axis: weights then are products of one factor per axis, so that fields that
+/// Particles stand in rows along each axis: weights then are products of one factor per axis, so that fields that
 /// depend on x alone stay so to round-off, however few cells the bar is thick.
 struct Bar {
   int cells = 16;                                   ///< along the metre
+  int rows = 2;                                     ///< of particles in a cell, along each axis
   int across = 1;                                   ///< cells along y and z
   int before = 0, after = 0;                        ///< cells that the body reaches beyond x = 0 and x = 1, into what holds it there
   int air = 0;                                      ///< cells between the body and the domain's faces along x; 0: it touches them
@@ -30,9 +31,6 @@ struct Bar {
   double dx() const { return 1.0 / cells; }
   std::unique_ptr<Simulation> begin() const;
 };
-
-/// Steps until `time`, at which everything is sampled. Throws RunError.
-void run_to(Simulation& simulation, double time);
 
 /// Part of the bar.
 struct Span {

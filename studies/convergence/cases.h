@@ -20,5 +20,13 @@ std::vector<Errors> free_bar(bool quick);
 std::vector<Errors> clamped_bar(bool quick);
 std::vector<Errors> hencky_fan(bool quick);
 std::vector<Errors> adiabatic(bool quick);
+std::vector<Errors> free_fall(bool quick);
+std::vector<Errors> spinning_disc(bool quick);
+std::vector<Errors> slope(bool quick);
+std::vector<Errors> lumped_sphere(bool quick);
+std::vector<Errors> thermal_strain(bool quick);
+std::vector<Errors> open_pores(bool quick);
+std::vector<Errors> closed_pores(bool quick);
+std::vector<Errors> perzyna(bool quick);
 
 }  // namespace bake::studies

@@ -28,6 +28,15 @@ const std::vector<Case>& all_cases() {
       {"clamped_bar", "an elastic bar between walls at its first period", clamped_bar},
       {"hencky_fan", "the halves of a bar fly apart: the fan of finite strain in Hencky's material", hencky_fan},
       {"adiabatic", "dough squeezed without conduction: theta_K ~ J^(-beta_T / (rho_0 c))", adiabatic},
+      {"free_fall", "a cube that falls freely: v = g t", free_fall},
+      {"spinning_disc", "an elastic disc that spins freely: it widens by omega^2 r (3 R^2 - r^2) rho / 8 E and keeps its momentum",
+       spinning_disc},
+      {"slope", "a block on a slope: Coulomb's g (sin a - mu cos a) t", slope},
+      {"lumped_sphere", "a conductive sphere that cools in air: exp(-3 beta t / (rho c R))", lumped_sphere},
+      {"thermal_strain", "a warm cube at rest: ln J = 3 alpha (theta - theta_0)", thermal_strain},
+      {"open_pores", "pores heated and leavened at the pressure of the atmosphere: ideal gas", open_pores},
+      {"closed_pores", "pores heated at fixed volume: p theta_0K = p_ref (theta_K - theta_0K)", closed_pores},
+      {"perzyna", "a viscoplastic bar that is pressed at constant speed, in both norms", perzyna},
   };
   return cases;
 }

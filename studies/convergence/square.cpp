@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Heat in a long bar of square section, one metre wide, whose sides are held at 1: theta_t = theta_xx + theta_yy, theta = 0 at first.
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "solver/scene/reader.h"
 #include "studies/convergence/bar.h"
 #include "studies/convergence/cases.h"
 
@@ -29,37 +27,23 @@ std::string held_side(const char* point, const char* normal) {
 
 /// One cell thick, with two cells beyond each side for the grips.
 std::unique_ptr<Simulation> section(double cells, double end_s) {
-  omp_set_num_threads(1);
-  const double dx = 1 / cells, low = -2 * dx, high = 1 + 2 * dx;
-  const std::string text = fmt::format(R"(
-effects = ["heat"]
-[run]
-end_s = 1e9
-frame_rate_per_s = {:.17g}
-precision = "double"
-[time]
-safety = 1
-[grid]
-dx_m = {:.17g}
-[domain]
-min_m = [{:.17g}, {:.17g}, 0]
-max_m = [{:.17g}, {:.17g}, {:.17g}]
-[[material]]
-name = "dough"
-density_kg_per_m3 = 1
-initial_temperature_C = 0
-specific_heat_J_per_kgK = 1
-conductivity_W_per_mK = 1
+  Setting setting;
+  const double dx = setting.dx = 1 / cells;
+  setting.end_s = end_s;
+  setting.low = {-2 * dx, -2 * dx, 0};
+  setting.high = {1 + 2 * dx, 1 + 2 * dx, dx};
+  setting.material = "initial_temperature_C = 0\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
+  setting.tables = fmt::format(R"(
 [[body]]
 material = "dough"
 particles_per_cell = 8
 jitter = 0
-shape = {{ box = {{ centre_m = [0.5, 0.5, {:.17g}], half_extents_m = [{:.17g}, {:.17g}, {:.17g}] }} }}
+shape = {{ box = {{ centre_m = [0.5, 0.5, {0:.17g}], half_extents_m = [{1:.17g}, {1:.17g}, {0:.17g}] }} }}
 )",
-                                       1 / end_s, dx, low, low, high, high, dx, dx / 2, 0.5 + 2 * dx, 0.5 + 2 * dx, dx / 2) +
-                           held_side("[0, 0, 0]", "[1, 0, 0]") + held_side("[1, 0, 0]", "[-1, 0, 0]") +
-                           held_side("[0, 0, 0]", "[0, 1, 0]") + held_side("[0, 1, 0]", "[0, -1, 0]");
-  return Simulation::begin(parse_scene(text, "square.toml"));
+                               dx / 2, 0.5 + 2 * dx) +
+                   held_side("[0, 0, 0]", "[1, 0, 0]") + held_side("[1, 0, 0]", "[-1, 0, 0]") + held_side("[0, 0, 0]", "[0, 1, 0]") +
+                   held_side("[0, 1, 0]", "[0, -1, 0]");
+  return setting.begin();
 }
 
 }  // namespace

@@ -35,5 +35,20 @@ TEST(BothEulers, AreOfFirstOrderInTime) { expect_held(eulers); }
 TEST(Water, DiffusesAtSecondOrderInside) { expect_held(fick); }
 TEST(Water, SpreadsIntoDrySolidAsBarenblattSaysButLagsAtTheFront) { expect_held(barenblatt); }
 
+TEST(ElasticPulse, TravelsAtSecondOrderInSpaceAndFirstInTime) { expect_held(pulse_wave); }
+TEST(ElasticBar, SwingsFreelyWithAPeriodOfSecondOrder) { expect_held(free_bar); }
+TEST(ElasticBar, SwingsBetweenWallsWithAPeriodOfFirstOrder) { expect_held(clamped_bar); }
+TEST(HenckyBar, TearsWithTheFanOfItsLaw) { expect_held(hencky_fan); }
+TEST(FreeFall, IsExactInVelocityAndOfFirstOrderInPath) { expect_held(free_fall); }
+TEST(SpinningDisc, WidensAsElasticitySaysAndKeepsItsAngularMomentum) { expect_held(spinning_disc); }
+TEST(Block, SlidesAndSticksOnASlopeAsCoulombSays) { expect_held(slope); }
+
+TEST(LumpedSphere, CoolsThroughAnAreaOfSecondOrder) { expect_held(lumped_sphere); }
+TEST(SqueezedDough, WarmsAdiabatically) { expect_held(adiabatic); }
+TEST(WarmDough, ExpandsUntilItIsFreeOfStress) { expect_held(thermal_strain); }
+TEST(Pores, FillTheVolumeOfAnIdealGas) { expect_held(open_pores); }
+TEST(Pores, PushWithThePressureOfAnIdealGas) { expect_held(closed_pores); }
+TEST(PressedDough, FlowsWithTheRateOfEitherNorm) { expect_held(perzyna); }
+
 }  // namespace
 }  // namespace bake::studies
