@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "studies/convergence/setting.h"
+#include "studies/setting.h"
 
 namespace bake::studies {
 

@@ -2,9 +2,19 @@
 // The cases by name; each stands in a file of its own with its exact solution and what is expected of the solver.
 #pragma once
 
-#include "studies/convergence/errors.h"
+#include "studies/errors.h"
 
 namespace bake::studies {
+
+/// An exact solution that the solver is run against.
+struct Case {
+  const char* name;
+  const char* solution;  ///< one line for the table
+  std::vector<Errors> (*measure)(bool quick);
+};
+
+/// All cases. To add one, add a line.
+const std::vector<Case>& all_cases();
 
 std::vector<Errors> slab_cosine(bool quick);
 std::vector<Errors> slab_halves(bool quick);

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "solver/io/atomic_file.h"
 #include "solver/io/provenance.h"
+#include "studies/convergence/cases.h"
 
 namespace bake::studies {
 
@@ -21,42 +21,21 @@ struct Measured {
   double seconds;
 };
 
-const char* word(Errors::Figure figure) { return figure == Errors::Figure::order ? "order" : "largest error"; }
-const char* verdict(const Errors& e) { return e.holds() ? "holds" : "MISSED"; }
-
-std::string number(double x) { return fmt::format("{:.3g}", x); }
-std::string band(const Errors& e) {
-  return e.figure == Errors::Figure::order ? fmt::format("{} to {}", e.low, e.high) : fmt::format("at most {}", number(e.high));
-}
-
-std::vector<std::string> numbers(const std::vector<double>& values) {
-  std::vector<std::string> words;
-  for (const double x : values) words.push_back(number(x));
-  return words;
-}
-
 Measured measure(const Case& c, bool quick) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<Errors> errors = c.measure(quick);
   return {&c, std::move(errors), std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
 }
 
-nlohmann::json as_json(const std::vector<Measured>& all, bool quick) {
+nlohmann::json table(const std::vector<Measured>& all, bool quick) {
   nlohmann::json rows = nlohmann::json::array();
   for (const Measured& m : all)
-    for (const Errors& e : m.errors)
-      rows.push_back({{"case", m.of->name},
-                      {"exact_solution", m.of->solution},
-                      {"quantity", e.quantity},
-                      {"refined", e.refined},
-                      {"refinements", e.refinements},
-                      {"errors", e.errors},
-                      {"figure", word(e.figure)},
-                      {"value", e.value()},
-                      {"low", e.low},
-                      {"high", e.high},
-                      {"why", e.why},
-                      {"holds", e.holds()}});
+    for (const Errors& e : m.errors) {
+      nlohmann::json row = as_json(e);
+      row["case"] = m.of->name;
+      row["exact_solution"] = m.of->solution;
+      rows.push_back(row);
+    }
   return {{"study", "convergence"}, {"quick", quick}, {"provenance", provenance()}, {"orders", rows}};
 }
 
@@ -67,7 +46,8 @@ std::string as_markdown(const std::vector<Measured>& all) {
   for (const Measured& m : all)
     for (const Errors& e : m.errors)
       text += fmt::format("| {} | {} | {} {} | {} | {} {:.3g} | {} | {} |\n", m.of->name, e.quantity, fmt::join(e.refinements, ", "),
-                          e.refined, fmt::join(numbers(e.errors), ", "), word(e.figure), e.value(), band(e), verdict(e));
+                          e.refined, fmt::join(short_numbers(e.errors), ", "), e.figure == Errors::Figure::order ? "order" : "largest",
+                          e.value(), band_in_words(e), e.holds() ? "holds" : "MISSED");
   text += "\n## The cases, and why the bands are what they are\n";
   for (const Measured& m : all) {
     text += fmt::format("\n**{}**: {}.\n", m.of->name, m.of->solution);
@@ -77,11 +57,6 @@ std::string as_markdown(const std::vector<Measured>& all) {
 }
 
 }  // namespace
-
-std::string in_words(const Errors& e) {
-  return fmt::format("{}; {} {}: {}; {} {:.3g}, band {} ({}): {}", e.quantity, fmt::join(e.refinements, ", "), e.refined,
-                     fmt::join(numbers(e.errors), ", "), word(e.figure), e.value(), band(e), e.why, verdict(e));
-}
 
 bool run_convergence(const StudyOptions& options) {
   std::vector<Measured> all;
@@ -96,7 +71,7 @@ bool run_convergence(const StudyOptions& options) {
     }
   }
   std::filesystem::create_directories(options.out);
-  write_text_atomically(options.out / "orders.json", as_json(all, options.quick).dump(2) + "\n");
+  write_text_atomically(options.out / "orders.json", table(all, options.quick).dump(2) + "\n");
   write_text_atomically(options.out / "orders.md", as_markdown(all));
   fmt::print("{}; written to {}\n", held ? "every band holds" : "NOT every band holds", options.out.string());
   return held;

@@ -2,15 +2,11 @@
 // The study of convergence: every case at its resolutions, in one table.
 #pragma once
 
-#include "studies/convergence/errors.h"
 #include "studies/study.h"
 
 namespace bake::studies {
 
 /// Measures all cases, with a line of progress for each on standard error; prints the table; writes orders.json and orders.md.
 bool run_convergence(const StudyOptions& options);
-
-/// One line: the quantity, its errors, figure, band and verdict.
-std::string in_words(const Errors& errors);
 
 }  // namespace bake::studies

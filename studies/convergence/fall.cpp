@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "studies/convergence/cases.h"
-#include "studies/convergence/setting.h"
+#include "studies/setting.h"
 
 namespace bake::studies {
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "studies/convergence/cases.h"
-#include "studies/convergence/setting.h"
+#include "studies/setting.h"
 
 namespace bake::studies {
 

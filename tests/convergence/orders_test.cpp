@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "studies/convergence/cases.h"
-#include "studies/convergence/convergence.h"
 #include "studies/order.h"
 
 namespace bake::studies {

@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "studies/convergence/errors.h"
-
-#include <algorithm>
-
 #include "studies/convergence/cases.h"
-#include "studies/order.h"
 
 namespace bake::studies {
-
-double Errors::value() const {
-  return figure == Figure::order ? fitted_order(refinements, errors) : *std::max_element(errors.begin(), errors.end());
-}
 
 const std::vector<Case>& all_cases() {
   static const std::vector<Case> cases{

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/convergence/setting.h"
+#include "studies/setting.h"
 
 #include <fmt/format.h>
 #include <omp.h>

@@ -2,6 +2,7 @@
 // Errors of one quantity at several refinements, and what theory expects of them.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -23,14 +24,16 @@ struct Errors {
   bool holds() const { return value() >= low && value() <= high; }
 };
 
-/// An exact solution that the solver is run against.
-struct Case {
-  const char* name;
-  const char* solution;  ///< one line for the table
-  std::vector<Errors> (*measure)(bool quick);
-};
+/// One line: the quantity, its errors, figure, band and verdict.
+std::string in_words(const Errors& errors);
 
-/// All cases. To add one, add a line.
-const std::vector<Case>& all_cases();
+/// "0.8 to 1.2" or "at most 1e-12".
+std::string band_in_words(const Errors& errors);
+
+/// Three significant digits each.
+std::vector<std::string> short_numbers(const std::vector<double>& values);
+
+/// All of it.
+nlohmann::json as_json(const Errors& errors);
 
 }  // namespace bake::studies
