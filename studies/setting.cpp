@@ -18,6 +18,7 @@ frame_rate_per_s = {:.17g}
 precision = "double"
 [grid]
 dx_m = {:.17g}
+kernel = "{}"
 [domain]
 min_m = [{:.17g}, {:.17g}, {:.17g}]
 max_m = [{:.17g}, {:.17g}, {:.17g}]
@@ -34,8 +35,8 @@ density_kg_per_m3 = 1
 {}
 {}
 )",
-                                       effects, 1 / end_s, dx, low[0], low[1], low[2], high[0], high[1], high[2], faces, surface, time,
-                                       motion, material, tables);
+                                       effects, 1 / end_s, dx, kernel, low[0], low[1], low[2], high[0], high[1], high[2], faces, surface,
+                                       time, motion, material, tables);
   return Simulation::begin(parse_scene(text, "study.toml"));
 }
 

@@ -14,6 +14,7 @@ struct Setting {
   std::string effects = "\"heat\"";  ///< in quotes, with commas
   double end_s = 1;                  ///< the first sample
   double dx = 0.1;
+  std::string kernel = "quadratic";
   Vector3 low{-1, -1, -1}, high{1, 1, 1};  ///< of the domain [m]
   std::string faces;                       ///< keys of [domain] besides its corners
   std::string surface;                     ///< keys of [surface]

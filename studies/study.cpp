@@ -2,6 +2,8 @@
 #include "studies/study.h"
 
 #include "studies/convergence/convergence.h"
+#include "studies/departures/departures.h"
+#include "studies/stability/stability.h"
 #include "studies/surface/surface.h"
 
 namespace bake::studies {
@@ -9,6 +11,8 @@ namespace bake::studies {
 const std::vector<Study>& all_studies() {
   static const std::vector<Study> studies{
       {"convergence", "Orders of convergence against exact solutions", run_convergence},
+      {"departures", "What the printed equations do where this solver departs from them", run_departures},
+      {"stability", "The largest stable steps, and how close the time-step rule comes to them", run_stability},
       {"surface", "The area that the surface measure finds, in its standard and its published form", run_surface},
   };
   return studies;

@@ -10,6 +10,7 @@ StepLimits::StepLimits(const Scene& scene)
     : settings_(scene.time),
       dx_(scene.dx()),
       gravity_(scene.lists("motion") ? length(scene.of<Motion>().gravity_m_per_s2) : 0),
+      diffusion_(scene.grid.kernel == KernelOrder::quadratic ? 1. / 3 : 1. / 2),
       heat_factor_(scene.of<Heat>().integrator == Heat::Integrator::backward_euler ? scene.of<Heat>().implicit_step_factor : 1),
       pouring_speed_(0) {
   for (const Emitter& emitter : scene.emitters) pouring_speed_ = std::max(pouring_speed_, length(emitter.velocity_m_per_s));
@@ -24,11 +25,12 @@ StepLimit StepLimits::largest(const Maxima& m, double contact_speed) const {
   // A wave crosses one cell: the highest frequency of the lumped B-spline grid is below 2 c / dx, explicit integration
   // holds for dt < 2 / frequency.
   if (m.wave2 > 0) consider(safety * dx_ / std::sqrt(m.wave2), "stiffness (elastic, pore gas and water)");
-  // Forward Euler in three dimensions: the lumped operator's largest eigenvalue is below 12 D / dx^2 (finite differences;
-  // B-splines are softer), dt < 2 / eigenvalue.
+  // Forward Euler: dt < 2 / eigenvalue. With particles everywhere the largest eigenvalue of the moment form is 1.94 D / dx^2
+  // (quadratic) or 1.21 D / dx^2 (cubic), for a wave along one axis; light nodes at surfaces and thin filling cost up to two
+  // thirds of that (`bake study stability`): dt D / dx^2 below 1/3 and 1/2.
   // Backward Euler is stable with any step; its factor is a bound on the error.
-  if (m.heat > 0) consider(heat_factor_ * safety * dx_ * dx_ / (6 * m.heat), "heat conduction");
-  if (m.water > 0) consider(safety * dx_ * dx_ / (6 * m.water), "water diffusion");
+  if (m.heat > 0) consider(heat_factor_ * safety * diffusion_ * dx_ * dx_ / m.heat, "heat conduction");
+  if (m.water > 0) consider(safety * diffusion_ * dx_ * dx_ / m.water, "water diffusion");
   // |dt C| below 1/2 keeps I + dt C far from singular.
   if (m.deformation2 > 0) consider(0.5 / std::sqrt(m.deformation2), "rate of deformation");
   const double speed = std::max({std::sqrt(m.speed2), contact_speed, pouring_speed_});  // what is poured arrives between two choices

@@ -9,8 +9,9 @@ namespace bake {
 namespace {
 
 /// A small ball rises on a hot floor while dough is poured on it and a warm plate comes near.
-Scene busy_scene(const std::string& precision, const std::string& heat = "") {
+Scene busy_scene(const std::string& precision, const std::string& kernel, const std::string& heat) {
   Dough dough;
+  dough.grid = "kernel = \"" + kernel + "\"";
   dough.effects = k_everything;
   dough.precision = precision;
   dough.dx = 0.125;
@@ -50,9 +51,10 @@ from_s = 0.013
 constexpr double k_frame = 0.02;
 constexpr int k_frames = 12;
 
-class SameBits : public testing::TestWithParam<std::pair<const char*, const char*>> {
+/// Precision, kernel, keys of the heat.
+class SameBits : public testing::TestWithParam<std::array<const char*, 3>> {
  protected:
-  const Scene scene = busy_scene(GetParam().first, GetParam().second);
+  const Scene scene = busy_scene(GetParam()[0], GetParam()[1], GetParam()[2]);
   const TemporaryFolder folder;
   const int threads = omp_get_max_threads();
   void TearDown() override { omp_set_num_threads(threads); }
@@ -122,9 +124,12 @@ TEST_P(SameBits, InASceneInWhichEverythingHappens) {
 }
 
 INSTANTIATE_TEST_SUITE_P(In, SameBits,
-                         testing::Values(std::pair{"single", ""}, std::pair{"double", ""},
-                                         std::pair{"single", "[heat]\nintegrator = \"backward_euler\"\n"}),
-                         [](const auto& info) { return std::string(info.param.first) + (*info.param.second ? "_backward_euler" : ""); });
+                         testing::Values(std::array{"single", "quadratic", ""}, std::array{"double", "quadratic", ""},
+                                         std::array{"double", "cubic", ""}, std::array{"single", "cubic", ""},
+                                         std::array{"single", "quadratic", "[heat]\nintegrator = \"backward_euler\"\n"}),
+                         [](const auto& info) {
+                           return std::string(info.param[0]) + "_" + info.param[1] + (*info.param[2] ? "_backward_euler" : "");
+                         });
 
 }  // namespace
 }  // namespace bake
