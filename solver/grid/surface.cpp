@@ -83,6 +83,9 @@ struct NodeIndex {
   int at[3];
 };
 
+/// Nodes beyond a face whose volume is mirrored: dough reaches the first, whose area depends on the volume of three more.
+constexpr int k_mirrored = 4;
+
 /// Faces of the domain are mirrors, not surfaces: the volume of the mirrored dough is added.
 template <class Real, class VolumeAt>
 Real mirrored(NodeIndex n, int axis, const Lattice& lattice, VolumeAt volume_at) {
@@ -90,7 +93,7 @@ Real mirrored(NodeIndex n, int axis, const Lattice& lattice, VolumeAt volume_at)
   Real sum = mirrored<Real>(n, axis + 1, lattice, volume_at);
   const int i = n.at[axis];
   for (const int face : {static_cast<int>(lattice.low_face()), static_cast<int>(lattice.high_face(axis))})
-    if (std::abs(i - face) <= 3) {  // as far as the area of a face's own node depends on the volume
+    if (std::abs(i - face) <= k_mirrored) {
       n.at[axis] = 2 * face - i;
       sum += mirrored<Real>(n, axis + 1, lattice, volume_at);
       n.at[axis] = i;
@@ -101,7 +104,7 @@ Real mirrored(NodeIndex n, int axis, const Lattice& lattice, VolumeAt volume_at)
 bool near_face(const BlockIndex& b, const Lattice& lattice) {
   const int first[3] = {4 * b.x, 4 * b.y, 4 * b.z};
   for (int d = 0; d < 3; ++d)
-    if (first[d] <= lattice.low_face() + 3 || first[d] + 3 >= lattice.high_face(d) - 3) return true;
+    if (first[d] <= lattice.low_face() + k_mirrored || first[d] + 3 >= lattice.high_face(d) - k_mirrored) return true;
   return false;
 }
 

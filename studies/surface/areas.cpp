@@ -58,15 +58,22 @@ shape = {{ {} }}
 }  // namespace
 
 double Areas::order() const {
-  std::vector<double> errors;
-  for (const double ratio : ratios) errors.push_back(std::abs(ratio - 1));
-  return fitted_order(cells, errors);
+  std::vector<double> fitted, errors;
+  for (std::size_t i = 0; i < cells.size() && cells[i] <= k_finest_fitted; ++i) {
+    fitted.push_back(cells[i]);
+    errors.push_back(std::abs(ratios[i] - 1));
+  }
+  return fitted_order(fitted, errors);
 }
 
 AreaClaim claim_of(const Areas& areas) {
   if (areas.smooth)
-    return {1.5, 2.7,
-            "second order for a smooth body: what two cells of smoothing do to a curved surface goes with (dx/R)^2; jitter adds noise"};
+    return {
+        1.5, 2.7,
+        "second order for a smooth body: what two cells of smoothing do to a curved surface goes with (dx/R)^2. Not for ever: the noise of "
+        "the particles adds about a thousandth of area that does not fall with dx, so that the error of the sphere changes its sign at "
+        "some "
+        "28 cells; the order is that up to 16"};
   return {0.7, 1.5,
           "first order by the edges: along an edge the smoothed surface cuts the corner, which loses a length of dx times the edge's"};
 }
@@ -82,8 +89,8 @@ std::vector<Areas> measure_areas(bool quick) {
   for (const Body& body : k_bodies) {
     for (const char* form : {"standard", "published"})
       for (const double particles : {2.0, 8.0, 27.0}) {
-        Areas areas{body.name, body.smooth, form, particles, quick ? std::vector<double>{4, 6, 9, 13} : std::vector<double>{6, 10, 16, 25},
-                    {}};
+        Areas areas{
+            body.name, body.smooth, form, particles, quick ? std::vector<double>{4, 6, 9, 13} : std::vector<double>{4, 6, 10, 16, 25}, {}};
         for (const double n : areas.cells) areas.ratios.push_back(area_found(body, form, particles, n) / body.area);
         all.push_back(areas);
       }

@@ -9,6 +9,9 @@
 
 namespace bake::studies {
 
+/// Cells in a metre up to which orders are fitted: beyond, the noise of the particles shows (see claim_of).
+inline constexpr double k_finest_fitted = 16;
+
 /// One body at one form of the measure and one density of particles.
 struct Areas {
   std::string body;
@@ -18,7 +21,7 @@ struct Areas {
   std::vector<double> cells;   ///< in a metre, rising; the bodies measure about two
   std::vector<double> ratios;  ///< area found over true area
 
-  double order() const;  ///< of |ratio - 1|
+  double order() const;  ///< of |ratio - 1|, up to k_finest_fitted cells
 };
 
 /// What is claimed of a standard form: a band of orders, and why. None for the published form, whose ratios do not go to 1.

@@ -37,6 +37,8 @@ TEST(CommandLine, WrongCommandsAreRefused) {
   expect_refused(place, "list extra", "extra");
   expect_refused(place, "run", "scene");
   expect_refused(place, "run dough more", "more");
+  expect_refused(place, "study", "study is required");
+  expect_refused(place, "study orders", "orders not in");
 }
 
 TEST(CommandLine, UnknownScenesAreRefusedWithTheNearestName) {
