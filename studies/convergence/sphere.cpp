@@ -37,6 +37,7 @@ std::vector<Errors> lumped_sphere(bool quick) {
     setting.tables = R"(
 [heat]
 integrator = "backward_euler"
+implicit_step_factor = 1e9
 [oven]
 temperature_C = 0
 exchange_W_per_m2K = 1
