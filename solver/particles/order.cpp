@@ -87,7 +87,7 @@ void order_particles(const ParticleStore<Real>& from, const ParticleStore<Real>*
       HomeBlock block{};
       block.at = lattice.block(b);
       block.at_face = may_reach_face(block.at, lattice);
-      for (int d = 0; d < 3; ++d) block.low[d] = 1, block.high[d] = 6;
+      for (int d = 0; d < 3; ++d) block.low[d] = 0, block.high[d] = 7;  // all that a cubic stencil may reach
       to.blocks.push_back(block);
     }
     first[b + 1] += first[b];
