@@ -167,6 +167,7 @@ void Engine<Real>::add(const std::vector<NewParticle>& particles, bool poured) {
   }
   fresh.data.resize_and_forget(fresh.tiles.size() * fresh.tile_size());
   std::vector<Real> start(fresh.tiles.size() * 12 * W);  // velocity and affine velocity
+  const int velocity_column = column_of(*physics_, field::Velocity::name);
   for (std::size_t t = 0; t < fresh.tiles.size(); ++t)
     for (int l = 0; l < W; ++l) {
       const std::size_t i = order[tile_first[t] + static_cast<std::size_t>(std::min(l, fresh.tiles[t].count - 1))];
@@ -179,6 +180,8 @@ void Engine<Real>::add(const std::vector<NewParticle>& particles, bool poured) {
       else
         columns[k_identity_column][l] = static_cast<double>(identity);
       physics_->fill(columns, l, p.material, p.volume, *p.body);
+      if (velocity_column >= 0)  // FLIP keeps it
+        for (int d = 0; d < 3; ++d) columns[velocity_column + d][l] = static_cast<Real>(p.velocity[static_cast<std::size_t>(d)]);
       Real* s = start.data() + t * 12 * W + l;
       for (int d = 0; d < 3; ++d) s[d * W] = static_cast<Real>(p.velocity[static_cast<std::size_t>(d)]);
       const double C[9] = {0, -p.spin[2], p.spin[1], p.spin[2], 0, -p.spin[0], -p.spin[1], p.spin[0], 0};
