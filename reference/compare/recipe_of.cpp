@@ -33,7 +33,6 @@ textbook::Material plain(const Material& m) {
   out.poisson_ratio = of<Elasticity>(m).poisson_ratio;
   const auto& heat = of<Heat>(m);
   out.alpha_s = heat.specific_heat_J_per_kgK;
-  out.alpha_w = heat.water_specific_heat_J_per_kgK < 0 ? heat.specific_heat_J_per_kgK : heat.water_specific_heat_J_per_kgK;
   out.kappa = heat.conductivity_W_per_mK;
   out.alpha_l = heat.expansion_per_K;
   const auto& water = of<Water>(m);
@@ -111,6 +110,7 @@ textbook::Recipe recipe_of(const Scene& scene) {
   r.exchange_form = plain(heat.exchange_form);
   r.expansion_form = plain(heat.expansion_form);
   r.water_form = plain(scene.of<Water>().form);
+  r.alpha_w = heat.water_specific_heat_J_per_kgK;
   r.latent_heat = scene.of<Water>().latent_heat_J_per_kg;
   r.leavening_form = plain(scene.of<Leavening>().form);
   r.reference_pressure = scene.of<Leavening>().reference_pressure_Pa;

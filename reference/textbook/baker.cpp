@@ -55,10 +55,10 @@ void Baker::scatter(double dt) {
       }
       if (recipe_.water && recipe_.motion) scatter_water_momentum(p, recipe_, dt, o, node);
       if (recipe_.heat) {
-        scatter_heat(p, m, o, node);
+        scatter_heat(p, recipe_, m, o, node);
         if (recipe_.heat_step == HeatStep::forward_euler) scatter_conduction(p, m, dt, o, node);
         if (recipe_.motion) scatter_expansion(p, recipe_, m, dt, o, node);
-        if (recipe_.water) scatter_carried_heat(p, m, dt, o, node);
+        if (recipe_.water) scatter_carried_heat(p, recipe_, dt, o, node);
       }
     });
     p.Q_scattered = p.Q();

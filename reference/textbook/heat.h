@@ -9,7 +9,9 @@ namespace bake::textbook {
 
 /// c = alpha_s m_s + alpha_w m_w
 /// DEPARTS [Ding19 Sec. 6.3]: printed with the solid's mass only.
-inline double heat_capacity(const Particle& p, const Material& m) { return m.alpha_s * p.m_s + m.alpha_w * p.m_w; }
+inline double heat_capacity(const Particle& p, const Recipe& recipe, const Material& m) {
+  return m.alpha_s * p.m_s + recipe.alpha_w * p.m_w;
+}
 
 /// beta_T = 3 K alpha_l: thermal stress per degree [Pa/K]
 inline double thermal_stress_per_degree(const Recipe& recipe, const Material& m) {
@@ -17,9 +19,9 @@ inline double thermal_stress_per_degree(const Recipe& recipe, const Material& m)
 }
 
 /// c_i = sum w c;  c_i theta_i = sum w c theta   [Ding19 Eq. 17]
-inline void scatter_heat(const Particle& p, const Material& m, const Overlap& o, Node& node) {
-  node.heat_capacity += o.w * heat_capacity(p, m);
-  node.heat_content += o.w * heat_capacity(p, m) * p.theta;
+inline void scatter_heat(const Particle& p, const Recipe& recipe, const Material& m, const Overlap& o, Node& node) {
+  node.heat_capacity += o.w * heat_capacity(p, recipe, m);
+  node.heat_content += o.w * heat_capacity(p, recipe, m) * p.theta;
 }
 
 /// - dt V kappa grad theta . grad w
@@ -34,20 +36,19 @@ inline void scatter_expansion(const Particle& p, const Recipe& recipe, const Mat
   node.heat_change -= dt * o.w * p.V_0 * thermal_stress_per_degree(recipe, m) * theta * p.div_v();
 }
 
-/// + dt alpha_w theta V q . grad w: water brings its heat with it, and the capacity for it.
+/// + dt alpha_w theta V q . grad w: water brings its heat with it.
 /// DEPARTS [Ding19 Eq. 9]: printed for the mixture's own motion; relative to the solid, moving water carries heat.
-inline void scatter_carried_heat(const Particle& p, const Material& m, double dt, const Overlap& o, Node& node) {
-  const double capacity = dt * m.alpha_w * p.V() * dot(p.q, o.grad_w);
-  node.carried_capacity += capacity;
-  node.heat_change += capacity * p.theta;
+inline void scatter_carried_heat(const Particle& p, const Recipe& recipe, double dt, const Overlap& o, Node& node) {
+  node.heat_change += dt * recipe.alpha_w * p.theta * p.V() * dot(p.q, o.grad_w);
 }
 
-/// theta_i' = (content + change - latent + dt A beta theta_out) / (c_i + dt A beta): exchange is implicit at the node.
+/// theta_i' = (content + change - latent + dt A beta theta_out) / (c_i' + dt A beta): exchange is implicit at the node. c_i' knows
+/// of the water that came or went; vapour leaves after the step with theta_i'.
 /// DEPARTS [Ding19 Sec. 4, 6.3]: as printed the flux is beta (theta - theta_out), and a hot body heats itself.
 inline void update_heat(const Recipe& recipe, double dt, Node& node) {
   if (!(node.heat_capacity > 0)) return;
   const double old = node.heat_content / node.heat_capacity;
-  const double capacity = std::max(node.heat_capacity + node.carried_capacity, 0.01 * node.heat_capacity);
+  const double capacity = node.heat_capacity + recipe.alpha_w * (node.moved_water + node.evaporated);
   const double content = node.heat_content + node.heat_change - recipe.latent_heat * node.evaporated;
   if (recipe.exchange_form == Form::published)
     node.theta = (content + dt * (node.exchange * old - node.exchange_source)) / capacity;

@@ -27,9 +27,7 @@ inline void scatter_stress(const Particle& p, double dt, const Overlap& o, Node&
 inline void update_velocity(const Recipe& recipe, double dt, Node& node) {
   const double mass = node.mass + recipe.inertia_scale * (node.moved_water + node.evaporated);
   if (node.mass > 0) node.old_v = (1 / node.mass) * node.old_momentum;
-  if (mass > 0) node.v = (1 / mass) * node.momentum;
-  const double mass_that_stays = node.mass + recipe.inertia_scale * node.moved_water;
-  if (mass_that_stays > 0) node.v += (dt / recipe.inertia_scale) * recipe.gravity;
+  if (mass > 0) node.v = (1 / mass) * node.momentum + (dt / recipe.inertia_scale) * recipe.gravity;
 }
 
 /// What a particle sees of the nodes' velocities.

@@ -34,9 +34,9 @@ struct Material {
   double young_modulus = 0;  ///< E [Pa]
   double poisson_ratio = 0;  ///< nu [1]
   // heat
-  double alpha_s = 0, alpha_w = 0;  ///< heat capacity of solid and water per mass [J/(kg K)]
-  double kappa = 0;                 ///< conductivity [W/(m K)]
-  double alpha_l = 0;               ///< linear thermal expansion [1/K]
+  double alpha_s = 0;  ///< heat capacity of the solid per mass [J/(kg K)]
+  double kappa = 0;    ///< conductivity [W/(m K)]
+  double alpha_l = 0;  ///< linear thermal expansion [1/K]
   // water
   double rho_w = 0;   ///< intrinsic density of water [kg/m^3]
   double K = 0;       ///< Fick's constant [m^2/(s K)]
@@ -74,6 +74,7 @@ struct Recipe {
   Form exchange_form = Form::standard, expansion_form = Form::standard, water_form = Form::standard, leavening_form = Form::standard,
        porosity_form = Form::standard, surface_form = Form::standard;
   Norm norm = Norm::distance;
+  double alpha_w = 0;                            ///< heat capacity of water per mass [J/(kg K)]
   double latent_heat = 0;                        ///< L_v [J/kg]
   double reference_pressure = k_one_atmosphere;  ///< p_ref [Pa]
 };

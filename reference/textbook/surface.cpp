@@ -120,7 +120,7 @@ void measure_published_surface(const std::vector<Particle>& particles, const Sur
   std::vector<char> boundary(grid.count());
   grid.for_each([&](const Index& i, const Node&) { boundary[grid.number(i)] = at_boundary(i); });
   for (const Particle& p : particles)
-    for_each_node(grid, p.x, Kernel::quadratic, [&](const Index& i, const Overlap& o) {
+    for_each_node(grid, p.x, grid.recipe().kernel, [&](const Index& i, const Overlap& o) {
       Nearest& best = nearest[grid.number(i)];
       if (boundary[grid.number(i)] && length(o.r) < best.distance) best = {length(o.r), &p};
     });
@@ -129,7 +129,7 @@ void measure_published_surface(const std::vector<Particle>& particles, const Sur
     if (n.particle && std::find(marked.begin(), marked.end(), n.particle) == marked.end()) marked.push_back(n.particle);
   for (const Particle* p : marked) {
     const double pi = std::acos(-1.0), radius = std::cbrt(3 * p->V() / (4 * pi)), S = pi * radius * radius;
-    for_each_node(grid, p->x, Kernel::quadratic, [&](const Index& i, const Overlap& o) { grid[i].area += o.w * S; });
+    for_each_node(grid, p->x, grid.recipe().kernel, [&](const Index& i, const Overlap& o) { grid[i].area += o.w * S; });
   }
   grid.for_each([&](const Index& i, Node& node) {
     if (!(node.area > 0)) return;

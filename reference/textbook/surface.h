@@ -18,7 +18,7 @@ namespace bake::textbook {
 void measure_surface(const Surroundings&, Grid&);
 
 /// As printed: every node with volume that has a neighbour without marks the particle nearest to it, and a marked particle
-/// stands for a disc S = pi r^2 of the sphere (4/3) pi r^3 = V. Quadratic weights.   [Ding19 Sec. 6.6]
+/// stands for a disc S = pi r^2 of the sphere (4/3) pi r^3 = V.   [Ding19 Sec. 6.6]
 void measure_published_surface(const std::vector<Particle>&, const Surroundings&, Grid&);
 
 }  // namespace bake::textbook

@@ -41,8 +41,6 @@ struct Counters {
   std::int64_t orderings = 0;
   std::int64_t clamped = 0;  ///< times a particle was held at a face of the domain
   std::int64_t retired = 0;  ///< particles that left through open faces
-  double retired_mass = 0;   ///< [kg]
-  double emitted_mass = 0;   ///< [kg]
 };
 
 template <class Real>
@@ -65,6 +63,8 @@ class Engine {
   const Counters& counters() const { return counters_; }
   const Bookings& booked() const { return booked_; }  ///< sums since the start (area: of the last step)
   const Totals& totals() const { return totals_; }    ///< at the last sample
+  const Totals& retired() const { return retired_; }  ///< sums since the start over particles when they left
+  const Totals& emitted() const { return emitted_; }  ///< sums since the start over particles when they were poured
   double temperature_low() const { return temperature_low_; }
   double temperature_high() const { return temperature_high_; }
   double largest_speed() const { return std::sqrt(extremes_.speed2); }
@@ -75,7 +75,8 @@ class Engine {
   const Lattice& lattice() const { return lattice_; }
   int row_size() const { return kernel_->row_size(); }
   std::size_t active_nodes() const { return active_.at.size() * k_block_nodes; }
-  std::size_t bytes() const;  ///< memory of particles and grid
+  std::size_t bytes() const;                                                   ///< memory of particles and grid
+  double next_event(double time) const { return contacts_.next_event(time); }  ///< see Contacts
 
   void write(CheckpointWriter& out) const;
   void read(const CheckpointReader& in);
@@ -88,7 +89,9 @@ class Engine {
   Step<Real> current_step() const;
   BlockWork<Real> work(const Step<Real>& step);
   void update_grid();
+  void measure_published_surface(const Air& air);
   void load_surroundings(std::size_t slot, int first, bool at_grip, Surroundings<Real>& around) const;
+  void book_water(std::size_t slot, Bookings& booked) const;
   void touch_contacts(std::size_t slot, const Real* mass, Real* rows, Bookings& booked) const;
   void pass(double next_dt, bool sample);
   void settle(std::vector<Escape<Real>>& escapes);
@@ -96,7 +99,7 @@ class Engine {
   void rehome_grid(const ActiveBlocks& before);
   void carry_velocity(const ParticleStore<Real>& before, const std::vector<NewParticle>& added);
   void reduce(const std::vector<BlockResult<Real>>& results);
-  void scatter_new(const ParticleStore<Real>& fresh, const std::vector<Real>& start);
+  void scatter_new(const ParticleStore<Real>& fresh, const std::vector<Real>& start, bool poured);
   double next_step(double from, double target, double next_target);
   [[noreturn]] void report_broken(const Escape<Real>& escape) const;
   std::int32_t home_of(const BlockIndex& block) const;
@@ -116,7 +119,8 @@ class Engine {
   AlignedBuffer<Real> velocity_;
   std::vector<Scratch<Real>> scratch_;
   ImplicitHeat<Real> implicit_heat_;
-  std::vector<Real> heat_weight_;  ///< of the nodes, for backward Euler
+  std::vector<Real> heat_weight_;                     ///< of the nodes, for backward Euler
+  std::vector<Real> moved_water_, evaporated_water_;  ///< of the nodes in this step [kg]; empty without water
 
   double time_ = 0, dt_ = 0;
   std::int64_t next_identity_ = 0;
@@ -125,7 +129,7 @@ class Engine {
   Maxima extremes_;
   Counters counters_;
   Bookings booked_{};
-  Totals totals_{};
+  Totals totals_{}, retired_{}, emitted_{};
   double temperature_low_ = 0, temperature_high_ = 0;
 };
 

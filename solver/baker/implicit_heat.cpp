@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <string>
+
+#include "solver/baker/run_error.h"
 
 namespace bake {
 
@@ -69,7 +72,9 @@ double ImplicitHeat<Real>::solve(const BlockKernel<Real>& kernel, BlockWork<Real
   double rz = dot_product(r_, z);
   const double first = rz;
   constexpr int k_most = 1000;
-  for (iterations_ = 0; iterations_ < k_most && rz > tolerance * tolerance * first; ++iterations_) {
+  for (int iteration = 0; rz > tolerance * tolerance * first; ++iteration) {
+    if (iteration == k_most)
+      throw RunError("backward Euler's conjugate gradients did not reach heat.tolerance in " + std::to_string(k_most) + " iterations");
     apply(p_, Kp_);
     for (std::size_t i = 0; i < n; ++i) Kp_[i] = weight[i] > 0 ? Kp_[i] + weight[i] * p_[i] : Real(0);
     const auto alpha = static_cast<Real>(rz / dot_product(p_, Kp_));

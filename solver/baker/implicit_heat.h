@@ -21,12 +21,10 @@ class ImplicitHeat {
   double solve(const BlockKernel<Real>& kernel, BlockWork<Real> work, const BlockColumns (&colours)[4], std::vector<Scratch<Real>>& scratch,
                const std::vector<Real>& weight, const std::function<Real(std::size_t slot, int node)>& exchange, int temperature_channel,
                double dt, double tolerance, AlignedBuffer<Real>& grid);
-  int iterations() const { return iterations_; }
 
  private:
   AlignedBuffer<Real> in_, out_;
   std::vector<Real> x_, r_, p_, Kp_;
-  int iterations_ = 0;
 };
 
 extern template class ImplicitHeat<float>;

@@ -94,6 +94,9 @@ std::string summary_text(const Scene& scene, const Results& results, const std::
     text += fmt::format("  water lost   {:.4g} kg ({:.2f} %)\n", now("water_evaporated_kg"),
                         100 * now("water_evaporated_kg") / value(first, "water_mass_kg"));
   if (scene.lists("leavening")) text += fmt::format("  gas made     {:.4g} mol\n", now("gas_mol"));
+  if (scene.lists("motion") && scene.of<Motion>().inertia_scale != 1 && now("elastic_J") > 0)
+    text += fmt::format("  inertia      x {:g}; kinetic energy is {:.2g} of the elastic one: small means quasi-static\n",
+                        scene.of<Motion>().inertia_scale, now("kinetic_J") / now("elastic_J"));
   if (now("clamped_particles") > 0) text += fmt::format("  held at the domain's faces: {} times\n", std::int64_t(now("clamped_particles")));
   if (now("retired_particles") > 0) text += fmt::format("  retired at open faces: {} particles\n", std::int64_t(now("retired_particles")));
   text += fmt::format("  speed        {:.2f} million particle-steps/s ({:.1f} s)\n",

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <numeric>
 
 #include "solver/baker/fill_scene.h"
@@ -54,8 +53,31 @@ std::vector<std::string> ledger_columns() {
           "extent_x_m",
           "extent_y_m",
           "water_limited_kg",
-          "retired_mass_kg",
-          "emitted_mass_kg"};
+          "vapour_heat_J",
+          "water_remap_heat_J",
+          "water_remap_momentum_x_kg_m_per_s",
+          "water_remap_momentum_y_kg_m_per_s",
+          "water_remap_momentum_z_kg_m_per_s",
+          "retired_solid_kg",
+          "retired_water_kg",
+          "retired_momentum_x_kg_m_per_s",
+          "retired_momentum_y_kg_m_per_s",
+          "retired_momentum_z_kg_m_per_s",
+          "retired_angular_momentum_x_kg_m2_per_s",
+          "retired_angular_momentum_y_kg_m2_per_s",
+          "retired_angular_momentum_z_kg_m2_per_s",
+          "retired_heat_J",
+          "retired_gas_mol",
+          "emitted_solid_kg",
+          "emitted_water_kg",
+          "emitted_momentum_x_kg_m_per_s",
+          "emitted_momentum_y_kg_m_per_s",
+          "emitted_momentum_z_kg_m_per_s",
+          "emitted_angular_momentum_x_kg_m2_per_s",
+          "emitted_angular_momentum_y_kg_m2_per_s",
+          "emitted_angular_momentum_z_kg_m2_per_s",
+          "emitted_heat_J",
+          "emitted_gas_mol"};
 }
 
 const std::vector<double>& Snapshot::operator[](std::string_view column) const {
@@ -112,6 +134,8 @@ class SimulationOf final : public Simulation {
   const Counters& counters() const override { return engine_.counters(); }
   const Bookings& booked() const override { return engine_.booked(); }
   const Totals& totals() const override { return engine_.totals(); }
+  const Totals& retired() const override { return engine_.retired(); }
+  const Totals& emitted() const override { return engine_.emitted(); }
   std::pair<double, double> temperatures() const override { return {engine_.temperature_low(), engine_.temperature_high()}; }
   std::size_t bytes() const override { return engine_.bytes(); }
   std::size_t active_nodes() const override { return engine_.active_nodes(); }
@@ -129,7 +153,7 @@ class SimulationOf final : public Simulation {
     for (const auto& c : physics.columns)
       if (c.first != k_position_column && c.first != k_identity_column) s.columns.push_back({c.name, {}});
     for_each_particle([&](const Lanes<Real>* columns, std::size_t tile, int l, const Point& origin) {
-      s.id.push_back(identity(columns, l));
+      s.id.push_back(identity_of<Real>(columns, l));
       s.material.push_back(engine_.store().tiles[tile].material);
       s.position.push_back(position(columns, l, origin));
       if (engine_.velocity().size() > 0) s.velocity.push_back(velocity(tile, l));
@@ -190,9 +214,16 @@ class SimulationOf final : public Simulation {
                                none ? 0 : high[0] - low[0],
                                none ? 0 : high[1] - low[1],
                                booked(Entry::water_limited),
-                               c.retired_mass,
-                               c.emitted_mass})
+                               booked(Entry::vapour_heat),
+                               booked(Entry::remapped_heat),
+                               booked(Entry::remapped_x),
+                               booked(Entry::remapped_y),
+                               booked(Entry::remapped_z)})
       row.push_back(value);
+    for (const Totals& who : {engine_.retired(), engine_.emitted()})
+      for (const Total which : {Total::solid_mass, Total::water_mass, Total::momentum_x, Total::momentum_y, Total::momentum_z,
+                                Total::angular_x, Total::angular_y, Total::angular_z, Total::heat_content, Total::gas})
+        row.push_back(who[static_cast<std::size_t>(which)]);
     return row;
   }
 
@@ -254,18 +285,9 @@ class SimulationOf final : public Simulation {
   /// Whatever happens next besides frames: pouring, colliders that come and go.
   double next_event() const { return event_after(engine_.time()); }
   double event_after(double time) const {
-    double next = contacts_events(time);
+    double next = engine_.next_event(time);
     for (const auto& spout : spouts_)
       if (spout->next_time() > time) next = std::min(next, spout->next_time());
-    return next;
-  }
-  double contacts_events(double time) const {
-    double next = k_infinity;
-    const auto consider = [&](double t) {
-      if (t > time) next = std::min(next, t);
-    };
-    for (const Collider& c : scene_.colliders) consider(c.from_s), consider(c.until_s);
-    for (const Grip& g : scene_.grips) consider(g.from_s), consider(g.until_s);
     return next;
   }
   void pour_due() {
@@ -292,12 +314,6 @@ class SimulationOf final : public Simulation {
     const Real* v = engine_.velocity().data() + tile * 3 * W + l;
     return {double(v[0]), double(v[W]), double(v[2 * W])};
   }
-  static std::int64_t identity(const Lanes<Real>* columns, int l) {
-    const Real bits = columns[k_identity_column][l];
-    if constexpr (sizeof(Real) == 4) return std::bit_cast<std::int32_t>(bits);
-    return static_cast<std::int64_t>(bits);
-  }
-
   static void sort_by_identity(Snapshot& s) {
     std::vector<std::size_t> order(s.id.size());
     std::iota(order.begin(), order.end(), 0);

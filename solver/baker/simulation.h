@@ -46,6 +46,8 @@ class Simulation {
   virtual const Counters& counters() const = 0;
   virtual const Bookings& booked() const = 0;
   virtual const Totals& totals() const = 0;                    ///< at the last sample
+  virtual const Totals& retired() const = 0;                   ///< of the particles that left, when they left
+  virtual const Totals& emitted() const = 0;                   ///< of the particles that were poured, when they were
   virtual std::pair<double, double> temperatures() const = 0;  ///< lowest and highest, at the last sample
   virtual Snapshot snapshot() const = 0;
   virtual std::vector<double> ledger_row() const = 0;

@@ -7,7 +7,13 @@
 namespace bake {
 
 StepLimits::StepLimits(const Scene& scene)
-    : settings_(scene.time), dx_(scene.dx()), gravity_(scene.lists("motion") ? length(scene.of<Motion>().gravity_m_per_s2) : 0) {}
+    : settings_(scene.time),
+      dx_(scene.dx()),
+      gravity_(scene.lists("motion") ? length(scene.of<Motion>().gravity_m_per_s2) : 0),
+      heat_factor_(scene.of<Heat>().integrator == Heat::Integrator::backward_euler ? scene.of<Heat>().implicit_step_factor : 1),
+      pouring_speed_(0) {
+  for (const Emitter& emitter : scene.emitters) pouring_speed_ = std::max(pouring_speed_, length(emitter.velocity_m_per_s));
+}
 
 StepLimit StepLimits::largest(const Maxima& m, double contact_speed) const {
   StepLimit best{settings_.largest_step_s, "time.largest_step_s"};
@@ -20,11 +26,12 @@ StepLimit StepLimits::largest(const Maxima& m, double contact_speed) const {
   if (m.wave2 > 0) consider(safety * dx_ / std::sqrt(m.wave2), "stiffness (elastic, pore gas and water)");
   // Forward Euler in three dimensions: the lumped operator's largest eigenvalue is below 12 D / dx^2 (finite differences;
   // B-splines are softer), dt < 2 / eigenvalue.
-  if (m.heat > 0) consider(safety * dx_ * dx_ / (6 * m.heat), "heat conduction");
+  // Backward Euler is stable with any step; its factor is a bound on the error.
+  if (m.heat > 0) consider(heat_factor_ * safety * dx_ * dx_ / (6 * m.heat), "heat conduction");
   if (m.water > 0) consider(safety * dx_ * dx_ / (6 * m.water), "water diffusion");
   // |dt C| below 1/2 keeps I + dt C far from singular.
   if (m.deformation2 > 0) consider(0.5 / std::sqrt(m.deformation2), "rate of deformation");
-  const double speed = std::max(std::sqrt(m.speed2), contact_speed);
+  const double speed = std::max({std::sqrt(m.speed2), contact_speed, pouring_speed_});  // what is poured arrives between two choices
   if (speed > 0) consider(settings_.cfl * dx_ / speed, "particle travel (time.cfl)");
   if (gravity_ > 0) consider(std::sqrt(settings_.cfl * dx_ / gravity_), "gravity (time.cfl)");
   return best;

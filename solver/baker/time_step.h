@@ -35,6 +35,8 @@ class StepLimits {
  private:
   TimeSettings settings_;
   double dx_, gravity_;
+  double heat_factor_;    ///< times forward Euler's limit
+  double pouring_speed_;  ///< [m/s]
 };
 
 }  // namespace bake

@@ -22,6 +22,8 @@ struct Heat {
     double tolerance = 1e-8;
     Form exchange_form = Form::standard;
     Form expansion_form = Form::standard;
+    double water_specific_heat_J_per_kgK = 4186;
+    double implicit_step_factor = 100;
     static constexpr auto parameters() {
       return std::tuple{
           Parameter{"integrator", &Settings::integrator, "", any_number, "gamma = 0 (forward Euler) or 1 (backward Euler) of Sec. 6.3"},
@@ -31,21 +33,21 @@ struct Heat {
                     "surface flux beta (theta_out - theta) (standard) or with the printed sign (published)"},
           Parameter{"expansion_form", &Settings::expansion_form, "", any_number,
                     "thermal stress from g = ln J in stress and heat (standard) or the printed powers of J (published)"},
+          Parameter{"water_specific_heat_J_per_kgK", &Settings::water_specific_heat_J_per_kgK, "J/(kg K)", positive,
+                    "alpha_w: heat capacity of water per mass; in a scene whose heat runs faster than life, as fast as the solid's"},
+          Parameter{"implicit_step_factor", &Settings::implicit_step_factor, "1", positive,
+                    "backward Euler's step is at most this many times what forward Euler could take"},
       };
     }
   };
   struct Material {
     double specific_heat_J_per_kgK = 0;
-    double water_specific_heat_J_per_kgK = -1;
     double conductivity_W_per_mK = 0;
     double expansion_per_K = 0;
     static constexpr auto parameters() {
       return std::tuple{
           Parameter{"specific_heat_J_per_kgK", &Material::specific_heat_J_per_kgK, "J/(kg K)", positive,
                     "alpha_s: heat capacity of the solid per mass", Presence::required},
-          Parameter{"water_specific_heat_J_per_kgK", &Material::water_specific_heat_J_per_kgK, "J/(kg K)",
-                    Range{-1, k_infinity, false, true, "a number above 0, or -1 for that of the solid"},
-                    "alpha_w: heat capacity of the water per mass; -1 takes that of the solid"},
           Parameter{"conductivity_W_per_mK", &Material::conductivity_W_per_mK, "W/(m K)", non_negative,
                     "kappa: heat conductivity of the mixture", Presence::required},
           Parameter{"expansion_per_K", &Material::expansion_per_K, "1/K", non_negative, "alpha_l: linear thermal expansion of the solid"},
@@ -67,9 +69,9 @@ struct Heat {
     Constants(const Scene& scene, const Substance& substance) : theta_0(static_cast<Real>(substance.initial_temperature_C)) {
       const auto& m = std::get<Material>(substance.effects);
       solid = static_cast<Real>(m.specific_heat_J_per_kgK);
-      water = m.water_specific_heat_J_per_kgK < 0 ? solid : static_cast<Real>(m.water_specific_heat_J_per_kgK);
       kappa = static_cast<Real>(m.conductivity_W_per_mK);
       const auto& settings = std::get<Settings>(scene.settings);
+      water = static_cast<Real>(settings.water_specific_heat_J_per_kgK);
       implicit = settings.integrator == Integrator::backward_euler;
       published_expansion = settings.expansion_form == Form::published;
       const Elasticity::Constants<Real> elastic(scene, substance);
@@ -112,17 +114,20 @@ struct Heat {
     }
   }
 
-  /// Conduction -V kappa D^-1 w (r . grad theta), and the heat that expansion takes.
+  /// Conduction -V kappa D^-1 w (r . grad theta), the heat that moving water carries, V alpha_w theta D^-1 w (r . q), and the heat
+  /// that expansion takes.
+  /// DEPARTS [Ding19 Eq. 9]: printed without the water's part, as if it took the temperature of wherever it arrives.
   /// DEPARTS [Ding19 Sec. 6.3]: the conduction term is printed without kappa and with the wrong sign.
   template <class P, class To, class K, class S, class R>
   BAKE_INLINE static void scatter(P& p, To& to, const K& k, const S& step, R&) {
     const auto c = capacity(p, k);
     to.value(channel::heat_capacity) += c;
     to.value(channel::heat_content) += c * p[field::theta];
-    if (!k.implicit) {
-      const auto flux = (-step.dt_next * k.kappa * step.inverse_d) * p.volume();
-      for (int d = 0; d < 3; ++d) to.moment(channel::heat_change, 0, d) += flux * p[field::grad_theta][d];
-    }
+    const auto flux = (step.dt_next * step.inverse_d) * p.volume();
+    if (!k.implicit)
+      for (int d = 0; d < 3; ++d) to.moment(channel::heat_change, 0, d) -= k.kappa * flux * p[field::grad_theta][d];
+    if constexpr (P::template has<field::WaterFlux>)
+      for (int d = 0; d < 3; ++d) to.moment(channel::heat_change, 0, d) += k.water * flux * p[field::theta] * p[field::q][d];
     if constexpr (P::template has<field::AffineVelocity>) {
       if (k.beta_T != 0) {
         const auto& C = p[field::C];
@@ -136,34 +141,37 @@ struct Heat {
 
   template <class P, class K, class S, class R>
   BAKE_INLINE static void limits(P& p, const K& k, const S&, R& report) {
-    if (!k.implicit) report.extremes.heat = max(report.extremes.heat, k.kappa * p.volume() / capacity(p, k));
+    report.extremes.heat = max(report.extremes.heat, k.kappa * p.volume() / capacity(p, k));
   }
 
-  /// (content + change + dt sum S beta theta_out) / (capacity + dt sum S beta): exchange is implicit at the node, so a light
-  /// surface node never limits the step; it gains what the surroundings lose, to round-off.
+  /// (content + change + dt sum S beta theta_out) / (capacity + dt sum S beta), the capacity being that after the step's water
+  /// fluxes: exchange is implicit at the node, so a light surface node never limits the step; it gains what the surroundings
+  /// lose, to round-off. Vapour leaves with the new temperature.
   /// DEPARTS [Ding19 Sec. 4, 6.3]: the boundary flux is beta (theta_out - theta); as printed, a hot body heats itself.
   template <class N, class S, class B>
   BAKE_INLINE static void update(N& node, const S& step, B& booked) {
-    const auto capacity = node[channel::heat_capacity];
+    auto capacity = node[channel::heat_capacity];
     const auto filled = capacity > 0;
     const auto none = 0 * capacity;
     const auto content = node[channel::heat_content], old = filled ? content / capacity : none;
     auto change = node[channel::heat_change];
-    book(booked, Entry::expansion, filled ? -change : none);  // conduction only moves heat: its sum over the nodes is zero
+    book(booked, Entry::expansion, filled ? -change : none);  // conduction and water only move heat: their sum over the nodes is zero
     if constexpr (N::template scatters<channel::WaterMass>) {
-      change -= node.latent_heat;
-      book(booked, Entry::latent, node.latent_heat);
+      const auto latent = node.latent_heat_per_kg * node.sums.evaporated;
+      change -= latent;
+      book(booked, Entry::latent, latent);
+      capacity += node.water_specific_heat * (node.sums.moved + node.sums.evaporated);
     }
     const auto& around = node.surroundings;
     const auto exchange = step.dt * around.exchange, source = step.dt * around.exchange_source;
     const auto weight = capacity + exchange;
     auto theta = filled ? (content + change + source) / weight : none;
     if (node.published_exchange) theta = filled ? (content + change - source + exchange * old) / capacity : none;
-    book(booked, Entry::exchanged, filled ? capacity * (theta - old) - change : none);
+    book(booked, Entry::exchanged, filled ? capacity * theta - (content + change) : none);
     const auto held = around.is_held & filled;
     book(booked, Entry::exchanged, held ? capacity * (around.held - theta) : none);
     theta = held ? around.held : theta;
-    node.heat_weight = held ? none : weight;
+    node.sums.heat_weight = held ? none : weight;
     node.out(channel::temperature_change) = theta - old;
     node.out(channel::temperature) = theta;
   }

@@ -43,7 +43,7 @@ class Model final : public Physics<Real> {
                const Step<Real>& step, Report<Real>& report) const override;
   void start(V* columns, int material, const V* velocity, const V* affine, V* scattered, int scatter_stride, const Step<Real>& step,
              Report<Real>& report) const override;
-  void update_nodes(const V* scattered, V* gathered, V* mass, V* heat_weight, const Surroundings<Real>& around, const Step<Real>& step,
+  void update_nodes(const V* scattered, V* gathered, NodeSums<Real>& sums, const Surroundings<Real>& around, const Step<Real>& step,
                     Bookings& booked) const override;
   V conductance(const V* columns, int material) const override;
   void fill(V* columns, int lane, int material, double volume, const Body& body) const override;
@@ -61,10 +61,12 @@ class Model final : public Physics<Real> {
   struct From;
   struct To;
   struct Node;
+  void count(Particle& p, const Constants& k, const Step<Real>& step, Report<Real>& report) const;
+  void count_leaving(Particle& p, const Constants& k, const Step<Real>& step, LaneMask<Real> leaving, Report<Real>& report) const;
   void stress_and_scatter(Particle& p, const Constants& k, V* scattered, int stride, const Step<Real>& step, Report<Real>& report) const;
 
   std::vector<Constants> materials_;
-  Real inertia_, latent_heat_;
+  Real inertia_, latent_heat_, water_specific_heat_;
   bool published_exchange_;
 };
 
@@ -145,14 +147,10 @@ struct Model<Real, Effects...>::Node {
   const V* scattered;
   V* gathered;
   const Surroundings<Real>& surroundings;
+  NodeSums<Real>& sums;
   Real inertia;  ///< inertial mass per mass
-  Real latent_heat_per_kg;
+  Real latent_heat_per_kg, water_specific_heat;
   bool published_exchange;
-  V moved_water = V{};  ///< change of the water mass, evaporation included [kg]
-  V evaporated = V{};   ///< [kg]
-  V moving_mass = V{};  ///< after the step's changes of water, inertial [kg]
-  V latent_heat = V{};  ///< taken by evaporation [J]
-  V heat_weight = V{};  ///< [J/K]
 
   template <class C>
   static constexpr bool scatters = Scattered::template has<C>;
@@ -203,6 +201,7 @@ Model<Real, Effects...>::Model(const Scene& scene) {
     this->temperature_channel = Gathered::template offset<channel::NodeTemperature>;
   inertia_ = static_cast<Real>(scene.of<Motion>().inertia_scale);
   latent_heat_ = static_cast<Real>(scene.of<Water>().latent_heat_J_per_kg);
+  water_specific_heat_ = static_cast<Real>(scene.of<Heat>().water_specific_heat_J_per_kgK);
   published_exchange_ = scene.of<Heat>().exchange_form == Form::published;
   for (const Material& m : scene.materials)
     materials_.push_back({static_cast<Real>(m.initial_temperature_C),
@@ -262,23 +261,44 @@ BAKE_INLINE void Model<Real, Effects...>::stress_and_scatter(Particle& p, const 
   if constexpr (Particle::template has<field::KirchhoffStress>)
     for (V& component : p[field::tau]) component = V{};
   BAKE_FOR_EACH_EFFECT(Effect::stress(p, constants));
+  // before the scatter: what a particle still owes the nodes is not yet theirs
+  if constexpr (Columns::template has<field::VolumeRatio>) {
+    const auto leaving = report.leaving(p[field::x]);
+    if (__builtin_expect(any(leaving), 0)) count_leaving(p, k, step, leaving, report);
+  }
+  if (report.totals_wanted) count(p, k, step, report);
   To to{};
   BAKE_FOR_EACH_EFFECT(Effect::scatter(p, to, constants, step, report));
   BAKE_FOR_EACH_EFFECT(Effect::limits(p, constants, step, report));
-  if (report.totals_wanted) {
-    report.add(Total::solid_mass, p[field::m_s]);
-    report.add(Total::volume, p.volume());
-    BAKE_FOR_EACH_EFFECT(Effect::totals(p, constants, step, report));
-  }
   for (int c = 0; c < Scattered::width; ++c) scattered[c] = to.values[c];
   for (int axis = 0; axis < 3; ++axis)
     for (int c = 0; c < k_moments; ++c) scattered[(1 + axis) * stride + c] = step.dx * to.moments[c][axis];
 }
 
+/// Sums for the ledger over the lanes that are alive.
 template <class Real, class... Effects>
-void Model<Real, Effects...>::update_nodes(const V* scattered, V* gathered, V* mass, V* heat_weight, const Surroundings<Real>& around,
+void Model<Real, Effects...>::count(Particle& p, const Constants& k, const Step<Real>& step, Report<Real>& report) const {
+  report.add(Total::solid_mass, p[field::m_s]);
+  report.add(Total::volume, p.volume());
+  BAKE_FOR_EACH_EFFECT(Effect::totals(p, constants, step, report));
+}
+
+/// Those that leave are summed apart, and no longer alive.
+template <class Real, class... Effects>
+void Model<Real, Effects...>::count_leaving(Particle& p, const Constants& k, const Step<Real>& step, LaneMask<Real> leaving,
+                                            Report<Real>& report) const {
+  Report<Real> gone;
+  std::copy(report.origin, report.origin + 3, gone.origin);
+  gone.alive = leaving ? report.alive : 0 * report.alive;
+  count(p, k, step, gone);
+  for (std::size_t i = 0; i < gone.totals.size(); ++i) report.retired[i] += gone.totals[i];
+  report.alive = leaving ? 0 * report.alive : report.alive;
+}
+
+template <class Real, class... Effects>
+void Model<Real, Effects...>::update_nodes(const V* scattered, V* gathered, NodeSums<Real>& sums, const Surroundings<Real>& around,
                                            const Step<Real>& step, Bookings& booked) const {
-  Node node{scattered, gathered, around, inertia_, latent_heat_, published_exchange_};
+  Node node{scattered, gathered, around, sums, inertia_, latent_heat_, water_specific_heat_, published_exchange_};
   const auto one = [&]<class Effect>() {
     if constexpr (requires { Effect::update(node, step, booked); }) Effect::update(node, step, booked);
   };
@@ -287,8 +307,6 @@ void Model<Real, Effects...>::update_nodes(const V* scattered, V* gathered, V* m
     one.template operator()<First>();
   };
   reversed.template operator()<Effects...>(reversed);
-  if constexpr (Scattered::template has<channel::Mass>) *mass = node.moving_mass;
-  *heat_weight = node.heat_weight;
 }
 
 template <class Real, class... Effects>

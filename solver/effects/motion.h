@@ -100,27 +100,22 @@ struct Motion {
     e.wave2 = max(e.wave2, p.stiffness * p[field::V_0] / (k.inertia * p.mass()));
   }
 
-  /// v_i = momentum / mass, the mass being that after the step's water fluxes. Vapour leaves with this velocity, so that drying
-  /// pushes nothing; what it takes is booked.
+  /// v_i = momentum / mass, the mass being that after the step's water fluxes. Vapour leaves with the node's velocity, so that
+  /// drying pushes nothing.
   template <class N, class S, class B>
-  BAKE_INLINE static void update(N& node, const S&, B& booked) {
-    auto mass = node[channel::mass];
-    if constexpr (N::template scatters<channel::WaterChange>) mass += node.moved_water + node.evaporated;
+  BAKE_INLINE static void update(N& node, const S&, B&) {
+    auto& mass = node.sums.inertia;
+    mass = node[channel::mass];
+    if constexpr (N::template scatters<channel::WaterChange>) mass += node.inertia * (node.sums.moved + node.sums.evaporated);
     const auto inverse = mass > 0 ? 1 / mass : 0 * mass;
     for (int i = 0; i < 3; ++i) node.out(channel::velocity, i) = node[channel::momentum][i] * inverse;
-    node.moving_mass = node[channel::mass];
-    if constexpr (N::template scatters<channel::WaterChange>) {
-      node.moving_mass += node.inertia * node.moved_water;
-      for (int i = 0; i < 3; ++i)
-        book(booked, static_cast<Entry>(static_cast<int>(Entry::impulse_x) + i),
-             -node.inertia * node.evaporated * node.out(channel::velocity, i));
-    }
     if constexpr (N::template scatters<channel::OldMomentum>)
       for (int i = 0; i < 3; ++i)
         node.out(channel::old_velocity, i) = node[channel::mass] > 0 ? node[channel::old_momentum][i] / node[channel::mass] : 0 * mass;
   }
 
-  /// Of the inertial mass, which is what impulses act on.
+  /// Of the inertial mass, which is what impulses act on. The water's own momentum is that of which the nodes know: the new flux
+  /// acts on the solid in the next step.
   template <class P, class K, class S, class R>
   static void totals(P& p, const K& k, const S& step, R& report) {
     using V = typename P::V;
@@ -130,7 +125,7 @@ struct Motion {
     for (int i = 0; i < 3; ++i) {
       position[i] = report.origin[i] + step.dx * p[field::x][i];
       momentum[i] = m * p[field::v][i];
-      if constexpr (P::template has<field::WaterMomentum>) momentum[i] += p[field::Q][i];
+      if constexpr (P::template has<field::WaterMomentum>) momentum[i] += k.inertia * p[field::Q_old][i];
       kinetic += momentum[i] * p[field::v][i];
     }
     for (int i = 0; i < 9; ++i) kinetic += affine_inertia * C[i] * C[i];

@@ -2,6 +2,7 @@
 // What the engine knows of a model: how many numbers go where, and three functions on lanes.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -39,14 +40,24 @@ struct Extremes {
 template <class Real>
 struct Report {
   using V = Lanes<Real>;
-  V alive;              ///< 1 in lanes that hold a particle, else 0; set tile by tile
-  Real origin[3] = {};  ///< position of the block's first node [m]
+  V alive;                      ///< 1 in lanes that hold a particle, else 0; set tile by tile
+  Real origin[3] = {};          ///< position of the block's first node [m]
+  V open_low[3], open_high[3];  ///< open faces of the domain, relative to the block in node distances
   Extremes<Real> extremes{};
   V booked[k_entries] = {};
   bool totals_wanted = false;
   Totals totals{};
+  Totals retired{};  ///< of the particles that leave in this step
   V temperature_low = V{} + Real(1e30), temperature_high = V{} - Real(1e30);
 
+  Report() {
+    for (int d = 0; d < 3; ++d) open_low[d] = lanes<Real>(-std::numeric_limits<Real>::infinity()), open_high[d] = -open_low[d];
+  }
+  /// Lanes that passed an open face.
+  BAKE_INLINE LaneMask<Real> leaving(const V (&x)[3]) const {
+    return (x[0] < open_low[0]) | (x[0] > open_high[0]) | (x[1] < open_low[1]) | (x[1] > open_high[1]) | (x[2] < open_low[2]) |
+           (x[2] > open_high[2]);
+  }
   BAKE_INLINE void book(Entry entry, V amount) { booked[static_cast<int>(entry)] += alive * amount; }
   void add(Total total, V amount) { totals[static_cast<int>(total)] += sum_lanes(alive * amount); }
 };
@@ -63,12 +74,14 @@ struct Surroundings {
   LaneMask<Real> is_held;
 };
 
-/// A start state of particles, before the first scatter.
+/// What the grid update says of W nodes beside the rows that are gathered.
 template <class Real>
-struct Start {
+struct NodeSums {
   using V = Lanes<Real>;
-  V velocity[3];
-  V affine[9];
+  V inertia{};      ///< what moves, the water that evaporates in this step included [kg]
+  V heat_weight{};  ///< heat per degree, exchange included; 0 where the temperature is held [J/K] (backward Euler)
+  V moved{};        ///< change of the water, evaporation included [kg]
+  V evaporated{};   ///< [kg]
 };
 
 /// A model as the engine sees it. All arrays of lanes are aligned to the register width.
@@ -104,9 +117,8 @@ class Physics {
   /// What new particles scatter in their first step.
   virtual void start(V* columns, int material, const V* velocity, const V* affine, V* scattered, int scatter_stride, const Step<Real>&,
                      Report<Real>&) const = 0;
-  /// Grid update of W nodes: scattered channels in, gathered channels out. `mass`: what moves; `heat_weight`: heat per
-  /// degree of the nodes, exchange included (for backward Euler).
-  virtual void update_nodes(const V* scattered, V* gathered, V* mass, V* heat_weight, const Surroundings<Real>&, const Step<Real>&,
+  /// Grid update of W nodes: scattered channels in, gathered channels and sums out.
+  virtual void update_nodes(const V* scattered, V* gathered, NodeSums<Real>& sums, const Surroundings<Real>&, const Step<Real>&,
                             Bookings&) const = 0;
   /// kappa V of a tile's particles [W m/K] (backward Euler).
   virtual V conductance(const V* columns, int material) const = 0;

@@ -14,6 +14,7 @@ enum class Entry {
   water_limited,  ///< water that a node would have owed; zero while diffusion is stable [kg]
   exchanged,      ///< heat that came in through surfaces, colliders and grips [J]
   latent,         ///< heat taken by evaporation [J]
+  vapour_heat,    ///< heat content of the water that evaporated [J]
   expansion,      ///< heat taken by thermal expansion [J]
   dissipated,     ///< plastic work [J]
   impulse_x,      ///< momentum given by gravity, colliders, grips and faces, less what vapour takes [kg m/s]
@@ -22,6 +23,10 @@ enum class Entry {
   twist_x,  ///< angular momentum given by them, about the origin [kg m^2/s]
   twist_y,
   twist_z,
+  remapped_heat,  ///< what the water's move between particles added beyond what its move between nodes did [J]
+  remapped_x,     ///< the same of the momentum [kg m/s]
+  remapped_y,
+  remapped_z,
   area,          ///< surface that touches air [m^2]
   contact_area,  ///< surface that touches heated colliders [m^2]
   count
@@ -38,7 +43,7 @@ BAKE_INLINE void book(Bookings& booked, Entry entry, V amount) {
 enum class Total {
   solid_mass,  ///< [kg]
   water_mass,  ///< [kg]
-  momentum_x,  ///< sum of m v + V q [kg m/s]
+  momentum_x,  ///< sum of m v + V q, the flux being that of the step before [kg m/s]
   momentum_y,
   momentum_z,
   angular_x,  ///< about the origin, with the affine part [kg m^2/s]

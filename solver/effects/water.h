@@ -2,6 +2,8 @@
 // Water: Fick diffusion relative to the solid, evaporation, water stress. [Ding19 Sec. 3.2, 5.5, 6.2]
 #pragma once
 
+#include "solver/effects/heat.h"
+#include "solver/effects/motion.h"
 #include "solver/effects/parameters.h"
 #include "solver/effects/totals.h"
 #include "solver/particles/fields.h"
@@ -52,7 +54,7 @@ struct Water {
 
   template <class Real>
   struct Constants {
-    Real rho_w, K, beta_w, c_hat, s_0;
+    Real rho_w, K, beta_w, c_hat, s_0, heat, inertia;
     bool published;
     template <class Scene, class Substance>
     Constants(const Scene& scene, const Substance& substance) : s_0(static_cast<Real>(substance.initial_saturation)) {
@@ -61,6 +63,8 @@ struct Water {
       K = static_cast<Real>(m.diffusivity_m2_per_sK);
       beta_w = static_cast<Real>(m.evaporation_kg_per_m2sK);
       c_hat = static_cast<Real>(m.pressure_Pa);
+      heat = static_cast<Real>(std::get<Heat::Settings>(scene.settings).water_specific_heat_J_per_kgK);
+      inertia = static_cast<Real>(std::get<Motion::Settings>(scene.settings).inertia_scale);
       published = std::get<Settings>(scene.settings).form == Form::published;
     }
   };
@@ -77,8 +81,13 @@ struct Water {
   /// DEPARTS [Ding19 Eq. 20]: the volume is that of the new time; with the old one and the printed div v term in (25) half
   /// of the water is gone at doubled volume.
   template <class P, class From, class K, class S, class R>
-  BAKE_INLINE static void gather(P& p, const From& from, const K& k, const S&, R&) {
-    p[field::m_w] *= 1 + from.value(channel::water_ratio);
+  BAKE_INLINE static void gather(P& p, const From& from, const K& k, const S&, R& report) {
+    const auto gained = p[field::m_w] * from.value(channel::water_ratio);
+    p[field::m_w] += gained;
+    if constexpr (P::template has<field::Temperature>) report.book(Entry::remapped_heat, k.heat * gained * p[field::theta]);
+    if constexpr (P::template has<field::Velocity>)
+      for (int d = 0; d < 3; ++d)
+        report.book(static_cast<Entry>(static_cast<int>(Entry::remapped_x) + d), k.inertia * gained * p[field::v][d]);
     const auto flux = (-k.K) * warmth(p) * p[field::m_w] / p.volume();
     for (int d = 0; d < 3; ++d) {
       p[field::q][d] = flux * from.gradient(channel::saturation, 0, d);
@@ -110,13 +119,13 @@ struct Water {
       const auto per_water = p.volume() / max(p[field::m_w], 0 * p[field::m_w] + std::numeric_limits<typename P::Real>::min());
       for (int i = 0; i < 3; ++i) {
         const auto v_w = p[field::v][i] + per_water * p[field::q][i];
-        for (int j = 0; j < 3; ++j) to.moment(channel::momentum, i, j) += moment * v_w * p[field::q][j];
-        to.value(channel::momentum, i) -= p[field::Q][i] - p[field::Q_old][i];
+        for (int j = 0; j < 3; ++j) to.moment(channel::momentum, i, j) += k.inertia * moment * v_w * p[field::q][j];
+        to.value(channel::momentum, i) -= k.inertia * (p[field::Q][i] - p[field::Q_old][i]);
       }
       if (k.published) {
         const auto div = step.dt_next * (p[field::C][0] + p[field::C][4] + p[field::C][8]);
         to.value(channel::water_change) -= p[field::m_w] * div;
-        for (int i = 0; i < 3; ++i) to.value(channel::momentum, i) -= (p.mass() * p[field::v][i] + p[field::Q][i]) * div;
+        for (int i = 0; i < 3; ++i) to.value(channel::momentum, i) -= k.inertia * (p.mass() * p[field::v][i] + p[field::Q][i]) * div;
       }
     }
     for (int i = 0; i < 3; ++i) p[field::Q_old][i] = p[field::Q][i];
@@ -127,7 +136,7 @@ struct Water {
     report.extremes.water = max(report.extremes.water, k.K * warmth(p) * p[field::m_w] / (k.rho_w * p.volume()));
   }
 
-  /// m_i += flux - evaporation, never below zero. Vapour leaves with the velocity of its node.
+  /// m_i += flux - evaporation, never below zero.
   template <class N, class S, class B>
   BAKE_INLINE static void update(N& node, const S& step, B& booked) {
     const auto m = node[channel::water_mass], none = 0 * m;
@@ -144,9 +153,8 @@ struct Water {
     book(booked, Entry::evaporated, evaporated);
     book(booked, Entry::water_limited, filled ? kept - (after_flux - evaporated) : none);
     const auto moved = filled ? kept - m : none;
-    node.moved_water = moved;
-    node.evaporated = evaporated;
-    node.latent_heat = node.latent_heat_per_kg * evaporated;
+    node.sums.moved = moved;
+    node.sums.evaporated = evaporated;
     node.out(channel::water_ratio) = filled ? moved / m : none;
     node.out(channel::saturation) = capacity > 0 ? (m + moved) / capacity : none;
   }

@@ -41,7 +41,7 @@ using BlockColumns = std::vector<std::pair<std::int32_t, std::int32_t>>;
 template <class Real>
 struct BlockResult {
   Bookings booked{};
-  Totals totals{};
+  Totals totals{}, retired{};
   double speed2 = 0, wave2 = 0, heat = 0, water = 0, deformation2 = 0;
   double temperature_low = 1e30, temperature_high = -1e30;
   std::int64_t clamped = 0;
@@ -53,6 +53,7 @@ template <class Real>
 void collect(const Report<Real>& report, BlockResult<Real>& result) {
   for (int e = 0; e < k_entries; ++e) result.booked[static_cast<std::size_t>(e)] = sum_lanes(report.booked[e]);
   result.totals = report.totals;
+  result.retired = report.retired;
   result.speed2 = static_cast<double>(largest_lane(report.extremes.speed2));
   result.wave2 = static_cast<double>(largest_lane(report.extremes.wave2));
   result.heat = static_cast<double>(largest_lane(report.extremes.heat));

@@ -101,7 +101,11 @@ class BlockKernelOf final : public BlockKernel<Real> {
     Report<Real> report;
     report.totals_wanted = totals;
     const int corner[3] = {4 * block.at.x, 4 * block.at.y, 4 * block.at.z};
-    for (int d = 0; d < 3; ++d) report.origin[d] = work.origin[d] + work.step.dx * Real(corner[d]);
+    for (int d = 0; d < 3; ++d) {
+      report.origin[d] = work.origin[d] + work.step.dx * Real(corner[d]);
+      if (work.open_low[d]) report.open_low[d] = lanes<Real>(work.low_face[d] - Real(corner[d]));
+      if (work.open_high[d]) report.open_high[d] = lanes<Real>(work.high_face[d] - Real(corner[d]));
+    }
     alignas(64) V gathered[4 * RG], scattered[4 * RS] = {};
     Touched touched;
     for (int t = block.first_tile; t < block.first_tile + block.tiles; ++t) {
@@ -118,8 +122,8 @@ class BlockKernelOf final : public BlockKernel<Real> {
       work.physics->advance(columns, work.store->tiles[at].material, gathered, RG, scattered, RS, velocity, work.step, report);
 
       load_position(columns, x);
-      LaneMask<Real> gone = LaneMask<Real>{};
-      if (block.at_face) gone = hold_inside(work, corner, x, columns, count, result);
+      const LaneMask<Real> gone = report.leaving(x);
+      if (block.at_face) hold_inside(work, corner, x, columns, count, result);
       const S stencil(x);
       const LaneMask<Real> broken = not_finite(columns, work.physics->column_count);
       const LaneMask<Real> outside = stencil.outside() | gone | broken;
@@ -447,22 +451,16 @@ class BlockKernelOf final : public BlockKernel<Real> {
     }
   };
 
-  /// Particles never leave the domain unseen: at a closed face they are held, at an open one they are retired; both counted.
-  static LaneMask<Real> hold_inside(const BlockWork<Real>& work, const int (&corner)[3], V (&x)[3], V* columns, int count,
-                                    BlockResult<Real>& result) {
-    LaneMask<Real> gone = LaneMask<Real>{};
+  /// Particles never leave the domain unseen: at a closed face they are held and counted, at an open one they retire.
+  static void hold_inside(const BlockWork<Real>& work, const int (&corner)[3], V (&x)[3], V* columns, int count,
+                          BlockResult<Real>& result) {
     for (int d = 0; d < 3; ++d) {
       const V low = lanes<Real>(work.low_face[d] - Real(corner[d])), high = lanes<Real>(work.high_face[d] - Real(corner[d]));
       const LaneMask<Real> below = x[d]<low, above = x[d]> high;
-      for (int l = 0; l < count; ++l) {
-        const bool out = (below[l] && work.open_low[d]) || (above[l] && work.open_high[d]);
-        if (out) gone[l] = -1;
-        result.clamped += !out && (below[l] || above[l]);
-      }
+      for (int l = 0; l < count; ++l) result.clamped += (below[l] && !work.open_low[d]) || (above[l] && !work.open_high[d]);
       x[d] = below ? low : above ? high : x[d];
       columns[k_position_column + d] = x[d];
     }
-    return gone;
   }
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "solver/boundary/vector3.h"
+#include "solver/grid/kernel.h"
 
 namespace bake {
 
@@ -232,6 +233,7 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
 }
 
 template <class Real>
+template <KernelOrder order>
 void FreeSurfaceMeasure<Real>::measure_published(const ParticleStore<Real>& store, const Real* rows, int row_size, int volume_channel,
                                                  int ratio_column, int volume_column, const ActiveBlocks& active, const Lattice& lattice,
                                                  const Contacts& contacts, const Air& air) {
@@ -265,24 +267,20 @@ void FreeSurfaceMeasure<Real>::measure_published(const ParticleStore<Real>& stor
   std::vector<char> boundary(n * k_block_nodes);
   for (std::size_t i = 0; i < boundary.size(); ++i) boundary[i] = at_boundary(i / k_block_nodes, static_cast<int>(i % k_block_nodes));
 
-  // visit(node number, weight, distance^2) for the nodes of a particle's quadratic stencil
+  // visit(node number, weight, distance^2) for the nodes of a particle's stencil
   const auto for_each_node = [&](const HomeBlock& home, const Lanes<Real>* columns, int l, auto visit) {
-    double x[3], w[3][3];
-    int base[3];
-    for (int d = 0; d < 3; ++d) {
-      x[d] = static_cast<double>(columns[k_position_column + d][l]);
-      base[d] = static_cast<int>(std::floor(x[d] - 0.5));
-      const double f = x[d] - base[d] - 1;
-      w[d][0] = 0.5 * (0.5 - f) * (0.5 - f), w[d][1] = 0.75 - f * f, w[d][2] = 0.5 * (0.5 + f) * (0.5 + f);
-    }
-    for (int j = 0; j < 27; ++j) {
-      const int o[3] = {j / 9, j / 3 % 3, j % 3};
+    constexpr int N = Kernel<order>::support;
+    const Lanes<Real> x[3] = {columns[k_position_column], columns[k_position_column + 1], columns[k_position_column + 2]};
+    const Stencil<Real, order> stencil(x);
+    for (int j = 0; j < N * N * N; ++j) {
+      const int o[3] = {j / (N * N), j / N % N, j % N};
       double weight = 1, distance2 = 0;
       int at[3];
       for (int d = 0; d < 3; ++d) {
-        weight *= w[d][o[d]];
-        at[d] = base[d] + o[d] + 4;
-        const double r = base[d] + o[d] - x[d];
+        const int node = static_cast<int>(stencil.base[d][l]) + o[d];
+        weight *= static_cast<double>(stencil.weight[d][o[d]][l]);
+        at[d] = node + 4;
+        const double r = node - static_cast<double>(x[d][l]);
         distance2 += r * r;
       }
       const std::int32_t slot = home.neighbour[(at[0] >> 2) * 9 + (at[1] >> 2) * 3 + (at[2] >> 2)];
@@ -332,5 +330,13 @@ void FreeSurfaceMeasure<Real>::measure_published(const ParticleStore<Real>& stor
 
 template class FreeSurfaceMeasure<float>;
 template class FreeSurfaceMeasure<double>;
+#define BAKE_INSTANTIATE(Real, order)                                                                                           \
+  template void FreeSurfaceMeasure<Real>::measure_published<order>(const ParticleStore<Real>&, const Real*, int, int, int, int, \
+                                                                   const ActiveBlocks&, const Lattice&, const Contacts&, const Air&);
+BAKE_INSTANTIATE(float, KernelOrder::quadratic)
+BAKE_INSTANTIATE(float, KernelOrder::cubic)
+BAKE_INSTANTIATE(double, KernelOrder::quadratic)
+BAKE_INSTANTIATE(double, KernelOrder::cubic)
+#undef BAKE_INSTANTIATE
 
 }  // namespace bake

@@ -16,6 +16,7 @@
 
 #include "solver/baker/contacts.h"
 #include "solver/grid/grid.h"
+#include "solver/scene/settings.h"
 
 namespace bake {
 
@@ -43,7 +44,8 @@ class FreeSurfaceMeasure {
   void measure(const Real* rows, int row_size, int volume_channel, const ActiveBlocks& active, const Lattice& lattice,
                const Contacts& contacts, const Air& air);
   /// [Ding19 Sec. 6.6] as printed: every node with mass that has a neighbour without appends the particle nearest to it, and each
-  /// such particle stands for a disc of pi r^2, (4/3) pi r^3 = V. Quadratic weights; serial: for studies of small scenes.
+  /// such particle stands for a disc of pi r^2, (4/3) pi r^3 = V. Serial: for studies of small scenes.
+  template <KernelOrder order>
   void measure_published(const ParticleStore<Real>& store, const Real* rows, int row_size, int volume_channel, int ratio_column,
                          int volume_column, const ActiveBlocks& active, const Lattice& lattice, const Contacts& contacts, const Air& air);
   std::size_t bytes() const { return volume_.capacity() * (3 * sizeof(Nodes) + 4 * sizeof(Nodes) + sizeof(BlockSurroundings<Real>) + 3); }

@@ -6,6 +6,7 @@
 // sorted by material and cell when the block is formed and may then drift up to one node distance out of it.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -92,5 +93,18 @@ struct ParticleStore {
 /// Column 0..2 is the position, column 3 the identity: the engine needs both, the effects name the rest.
 inline constexpr int k_position_column = 0;
 inline constexpr int k_identity_column = 3;
+
+/// The number that a particle keeps for life; its bits are stored in a column.
+template <class Real>
+std::int64_t identity_of(const Lanes<Real>* columns, int lane) {
+  const Real bits = columns[k_identity_column][lane];
+  if constexpr (sizeof(Real) == 4) return std::bit_cast<std::int32_t>(bits);
+  return static_cast<std::int64_t>(bits);
+}
+template <class Real>
+Real identity_bits(std::int64_t identity) {
+  if constexpr (sizeof(Real) == 4) return std::bit_cast<float>(static_cast<std::int32_t>(identity));
+  return static_cast<Real>(identity);
+}
 
 }  // namespace bake

@@ -55,15 +55,6 @@ void check_bounded(const SceneEntry& entry, const Shape& shape) {
   }
 }
 
-void check_heat(const SceneEntry& entry, const Heat::Material& heat) {
-  constexpr const char* k_key = "water_specific_heat_J_per_kgK";
-  const bool sound = heat.water_specific_heat_J_per_kgK > 0 || heat.water_specific_heat_J_per_kgK == -1;
-  if (!sound) {
-    complain_at(entry, k_key,
-                fmt::format("found {}, allowed: a number above 0, or -1 for that of the solid", heat.water_specific_heat_J_per_kgK));
-  }
-}
-
 /// Something must be left for the solid.
 void check_water(const SceneEntry& entry, const Material& material) {
   const double water = material.initial_saturation * of<Water>(material).water_density_kg_per_m3;
@@ -97,7 +88,6 @@ void check(const SceneEntry& entry, const Material& value, const Scene& scene) {
   }
   const auto& temperatures = of<Plasticity>(value).temperatures_C;
   check_rising(entry, "temperatures_C", {temperatures.begin(), temperatures.end()});
-  check_heat(entry, of<Heat>(value));
   if (scene.lists(Water::name)) check_water(entry, value);
 }
 

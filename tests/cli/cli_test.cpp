@@ -147,7 +147,7 @@ TEST(CommandLine, AQuietRunPrintsNothing) {
 
 TEST(Readme, ItsExampleIsAValidScene) {
   const Workplace place;
-  const std::string readme = content(std::filesystem::path(BAKE_SOURCE_DIR) / "README.md");
+  const std::string readme = contents(std::filesystem::path(BAKE_SOURCE_DIR) / "README.md");
   const std::string opening = "```toml\n";
   const auto begin = readme.find(opening);
   ASSERT_NE(begin, std::string::npos);

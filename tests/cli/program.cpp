@@ -39,36 +39,19 @@ material = "dough"
 shape = { box = { centre_m = [0.1, 0.1, 0.1], half_extents_m = [0.05, 0.05, 0.05] } }
 )";
 
-fs::path make_folder() {
-  std::string name = (fs::temp_directory_path() / "bake_cli_XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  return name;
-}
-
 }  // namespace
 
-std::string content(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
-Workplace::Workplace() : folder_(make_folder()) { write("experiments/fig01_dough/dough.toml", k_dough); }
-
-Workplace::~Workplace() {
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
-}
+Workplace::Workplace() { write("experiments/fig01_dough/dough.toml", k_dough); }
 
 void Workplace::write(const fs::path& file, const std::string& text) const {
-  fs::create_directories((folder_ / file).parent_path());
-  std::ofstream(folder_ / file) << text;
+  fs::create_directories((folder() / file).parent_path());
+  std::ofstream(folder() / file) << text;
 }
 
 Outcome Workplace::bake(const std::string& arguments, const std::string& before) const {
-  const std::string command = fmt::format("cd '{}' && ({} '{}' {}) >.out 2>.err", folder_.string(), before, BAKE_PROGRAM, arguments);
+  const std::string command = fmt::format("cd '{}' && ({} '{}' {}) >.out 2>.err", folder().string(), before, BAKE_PROGRAM, arguments);
   const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder_ / ".out"), content(folder_ / ".err")};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder() / ".out"), contents(folder() / ".err")};
 }
 
 }  // namespace bake::test

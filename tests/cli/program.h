@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/support/temporary_folder.h"
+
 namespace bake::test {
 
 struct Outcome {
@@ -13,24 +15,19 @@ struct Outcome {
   std::string err;
 };
 
-std::string content(const std::filesystem::path& file);
-
 /// A folder of its own for one test: the working folder of the program, with one small valid scene,
 /// experiments/fig01_dough/dough.toml. Removed at the end.
 class Workplace {
  public:
   Workplace();
-  ~Workplace();
-  Workplace(const Workplace&) = delete;
-  Workplace& operator=(const Workplace&) = delete;
 
   /// `arguments` as typed in a shell; `before` stands before the program's name (ulimit ...; or timeout ...).
   Outcome bake(const std::string& arguments, const std::string& before = "") const;
   void write(const std::filesystem::path& file, const std::string& text) const;
-  const std::filesystem::path& folder() const { return folder_; }
+  const std::filesystem::path& folder() const { return folder_.path(); }
 
  private:
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
 };
 
 }  // namespace bake::test

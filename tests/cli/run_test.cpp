@@ -38,8 +38,8 @@ TEST(Run, InterruptedAndResumedGivesTheSameBitsAsNeverStopped) {
   ASSERT_EQ(stopped.exit_code, 3) << "the run was over before the signal: make it longer";
   EXPECT_TRUE(fs::exists(place.folder() / "parts/checkpoint.h5"));
   ASSERT_EQ(place.bake(std::string(k_long) + " --out parts --resume").exit_code, 0);
-  EXPECT_EQ(content(place.folder() / "whole/checkpoint.h5"), content(place.folder() / "parts/checkpoint.h5"));
-  EXPECT_EQ(content(place.folder() / "whole/ledger.csv"), content(place.folder() / "parts/ledger.csv"));
+  EXPECT_EQ(contents(place.folder() / "whole/checkpoint.h5"), contents(place.folder() / "parts/checkpoint.h5"));
+  EXPECT_EQ(contents(place.folder() / "whole/ledger.csv"), contents(place.folder() / "parts/ledger.csv"));
 }
 
 TEST(Run, ResumingNeedsACheckpoint) {

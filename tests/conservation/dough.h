@@ -28,7 +28,7 @@ struct Dough {
   std::string motion;    ///< keys of [motion]
   std::string domain;    ///< faces of the domain
   std::string run;       ///< further keys of [run]
-  std::string tables;    ///< further tables; pores are soft unless [leavening] is among them
+  std::string tables;    ///< further tables; pores are soft unless [leavening] is among them, water's heat is 40 unless [heat] is
 
   std::string text() const {
     std::string names;
@@ -66,7 +66,8 @@ shape = {{ {} }}
                        names, 1 / dt, precision, run, dx, grid, domain,
                        gravity.empty() ? motion : "gravity_m_per_s2 = " + gravity + "\n" + motion, tables,
                        material.empty() ? properties() : material, ball, body) +
-           (tables.find("[leavening]") == std::string::npos ? "[leavening]\nreference_pressure_Pa = 4000\n" : "");
+           (tables.find("[leavening]") == std::string::npos ? "[leavening]\nreference_pressure_Pa = 4000\n" : "") +
+           (tables.find("[heat]") == std::string::npos ? "[heat]\nwater_specific_heat_J_per_kgK = 40\n" : "");
   }
   Scene scene() const { return parse_scene(text(), "dough.toml", {}); }
   std::unique_ptr<Simulation> begin() const { return Simulation::begin(scene()); }
@@ -83,7 +84,6 @@ initial_saturation = 0.2
 initial_porosity = 0.2
 initial_temperature_C = 20
 specific_heat_J_per_kgK = 20
-water_specific_heat_J_per_kgK = 40
 conductivity_W_per_mK = 100
 expansion_per_K = 1e-4
 yield_stress_Pa = [200, 200, 150, 400]
@@ -121,22 +121,32 @@ inline void take_steps(Simulation& s, int count, double dt) {
 struct Sums {
   double solid, water, heat, gas, volume, kinetic, elastic;
   Vector3 momentum, angular;
-  double evaporated, exchanged, latent, expansion, dissipated, limited;
-  Vector3 impulse, twist;
+  double evaporated, exchanged, latent, vapour_heat, remapped_heat, expansion, dissipated, limited;
+  Vector3 impulse, twist, remapped;
 
   explicit Sums(const Simulation& s) {
-    const auto total = [&](Total t) { return s.totals()[static_cast<std::size_t>(t)]; };
+    read(s.totals());
     const auto booked = [&](Entry e) { return s.booked()[static_cast<std::size_t>(e)]; };
-    solid = total(Total::solid_mass), water = total(Total::water_mass), heat = total(Total::heat_content), gas = total(Total::gas);
-    volume = total(Total::volume), kinetic = total(Total::kinetic), elastic = total(Total::elastic);
-    momentum = {total(Total::momentum_x), total(Total::momentum_y), total(Total::momentum_z)};
-    angular = {total(Total::angular_x), total(Total::angular_y), total(Total::angular_z)};
     evaporated = booked(Entry::evaporated), exchanged = booked(Entry::exchanged), latent = booked(Entry::latent);
     expansion = booked(Entry::expansion), dissipated = booked(Entry::dissipated), limited = booked(Entry::water_limited);
     impulse = {booked(Entry::impulse_x), booked(Entry::impulse_y), booked(Entry::impulse_z)};
     twist = {booked(Entry::twist_x), booked(Entry::twist_y), booked(Entry::twist_z)};
+    vapour_heat = booked(Entry::vapour_heat), remapped_heat = booked(Entry::remapped_heat);
+    remapped = {booked(Entry::remapped_x), booked(Entry::remapped_y), booked(Entry::remapped_z)};
   }
+  explicit Sums(const Totals& totals) { read(totals); }
   double mass() const { return solid + water; }
+  /// All the heat that was booked as coming in.
+  double heat_gained() const { return exchanged - latent - vapour_heat + remapped_heat - expansion; }
+
+ private:
+  void read(const Totals& totals) {
+    const auto total = [&](Total t) { return totals[static_cast<std::size_t>(t)]; };
+    solid = total(Total::solid_mass), water = total(Total::water_mass), heat = total(Total::heat_content), gas = total(Total::gas);
+    volume = total(Total::volume), kinetic = total(Total::kinetic), elastic = total(Total::elastic);
+    momentum = {total(Total::momentum_x), total(Total::momentum_y), total(Total::momentum_z)};
+    angular = {total(Total::angular_x), total(Total::angular_y), total(Total::angular_z)};
+  }
 };
 
 /// Relative error that one step may add to a sum that is kept to round-off. Double: the project's promise. Single: a sum passes

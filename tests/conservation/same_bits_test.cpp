@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/conservation/dough.h"
-#include "tests/conservation/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace bake {
 namespace {
@@ -71,7 +71,7 @@ class SameBits : public testing::TestWithParam<std::pair<const char*, const char
     const auto s = Simulation::begin(scene);
     advance(*s, 0);
     save(*s, name);
-    return bytes_of(folder / name);
+    return contents(folder / name);
   }
 };
 
@@ -89,7 +89,7 @@ TEST_P(SameBits, ForARunThatWasStoppedAtAFrame) {
   const auto second = Simulation::resume(scene, CheckpointReader(folder / "frame.h5"));
   advance(*second, 5);
   save(*second, "resumed.h5");
-  EXPECT_TRUE(bytes_of(folder / "resumed.h5") == uninterrupted);
+  EXPECT_TRUE(contents(folder / "resumed.h5") == uninterrupted);
 }
 
 TEST_P(SameBits, ForARunThatWasStoppedInTheMiddleOfAFrame) {
@@ -103,7 +103,7 @@ TEST_P(SameBits, ForARunThatWasStoppedInTheMiddleOfAFrame) {
     const auto second = Simulation::resume(scene, CheckpointReader(folder / "step.h5"));
     advance(*second, static_cast<int>(second->time() / k_frame + 1e-9));
     save(*second, "resumed.h5");
-    EXPECT_TRUE(bytes_of(folder / "resumed.h5") == uninterrupted) << "stopped after " << steps << " steps";
+    EXPECT_TRUE(contents(folder / "resumed.h5") == uninterrupted) << "stopped after " << steps << " steps";
   }
 }
 

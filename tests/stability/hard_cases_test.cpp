@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "tests/conservation/dough.h"
-#include "tests/conservation/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace bake {
 namespace {
@@ -78,7 +78,7 @@ void poison(const std::filesystem::path& from, const std::filesystem::path& to, 
   out.add("particles", std::span<const Real>(particles));
   const auto grid = in.array<Real>("grid");
   out.add("grid", std::span<const Real>(grid));
-  for (const char* name : {"numbers", "booked", "totals"}) {
+  for (const char* name : {"numbers", "booked", "totals", "retired", "emitted"}) {
     const auto values = in.array<double>(name);
     out.add(name, std::span<const double>(values));
   }
@@ -130,6 +130,21 @@ TEST(ANumberThatIsNone, IsFoundInTheSameStepAndItsParticleAndQuantityAreNamed) {
         expect_named<float>("single", column.first, name);
         expect_named<double>("double", column.first, name);
       }
+}
+
+TEST(ACheckpoint, WithAParticleNowhereIsRefused) {
+  Dough dough = small();
+  const Scene scene = dough.scene();
+  const TemporaryFolder folder;
+  const auto s = Simulation::begin(scene);
+  ASSERT_TRUE(s->advance(0.02, 0.04));
+  CheckpointWriter out(folder / "good.h5", "good", scene.run.precision);
+  s->write(out);
+  out.commit();
+  for (const double nowhere : {std::numeric_limits<double>::quiet_NaN(), -3.0, 1e9}) {
+    poison<double>(folder / "good.h5", folder / "bad.h5", scene.run.precision, k_position_column * k_width<double>, nowhere);
+    EXPECT_THROW(Simulation::resume(scene, CheckpointReader(folder / "bad.h5")), InputError);
+  }
 }
 
 TEST(StiffPores, AreStableAndFreeOfStressAtTheStart) {

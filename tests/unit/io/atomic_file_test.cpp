@@ -3,28 +3,28 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/unit/io/scratch.h"
+#include "tests/unit/io/files.h"
 
 namespace bake {
 namespace {
 
 TEST(AtomicFile, HoldsExactlyTheTextItWasGiven) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const std::string text("a\0b\r\n", 5);
   write_text_atomically(scratch / "note.txt", text);
   EXPECT_EQ(contents(scratch / "note.txt"), text);
-  EXPECT_EQ(files_in(scratch.folder()), 1u);
+  EXPECT_EQ(files_in(scratch.path()), 1u);
 }
 
 TEST(AtomicFile, ReplacesAnOlderLongerFile) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   put(scratch / "note.txt", "a long text from yesterday");
   write_text_atomically(scratch / "note.txt", "new");
   EXPECT_EQ(contents(scratch / "note.txt"), "new");
 }
 
 TEST(AtomicFile, LeavesTheOldFileAloneUntilItIsCommitted) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   put(scratch / "note.txt", "old");
   {
     AtomicFile file(scratch / "note.txt");
@@ -32,42 +32,42 @@ TEST(AtomicFile, LeavesTheOldFileAloneUntilItIsCommitted) {
     EXPECT_EQ(contents(scratch / "note.txt"), "old");
   }
   EXPECT_EQ(contents(scratch / "note.txt"), "old");
-  EXPECT_EQ(files_in(scratch.folder()), 1u);
+  EXPECT_EQ(files_in(scratch.path()), 1u);
 }
 
 TEST(AtomicFile, EmptiesWhatAnInterruptedRunLeftAside) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   put(scratch / "note.txt.part", "left over by a crash");
   write_text_atomically(scratch / "note.txt", "new");
   EXPECT_EQ(contents(scratch / "note.txt"), "new");
-  EXPECT_EQ(files_in(scratch.folder()), 1u);
+  EXPECT_EQ(files_in(scratch.path()), 1u);
 }
 
 TEST(AtomicFile, AnswersForAFolderThatIsNotThere) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const auto message = message_of<OutputError>([&] { write_text_atomically(scratch / "missing/note.txt", "new"); });
   EXPECT_TRUE(has(message, "missing/note.txt: cannot create: No such file or directory")) << message;
 }
 
 TEST(AtomicFile, NeverReplacesAFolder) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   std::filesystem::create_directories(scratch / "note.txt/inside");
   const auto message = message_of<OutputError>([&] { write_text_atomically(scratch / "note.txt", "new"); });
   EXPECT_TRUE(has(message, "cannot put the new file in place: Is a directory")) << message;
-  EXPECT_EQ(files_in(scratch.folder()), 1u);
+  EXPECT_EQ(files_in(scratch.path()), 1u);
 }
 
 TEST(AtomicFile, AnswersForAFolderThatMayNotBeWritten) {
   if (geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
-  const Scratch scratch;
-  std::filesystem::permissions(scratch.folder(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+  const TemporaryFolder scratch;
+  std::filesystem::permissions(scratch.path(), std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
   const auto message = message_of<OutputError>([&] { write_text_atomically(scratch / "note.txt", "new"); });
-  std::filesystem::permissions(scratch.folder(), std::filesystem::perms::owner_all);
+  std::filesystem::permissions(scratch.path(), std::filesystem::perms::owner_all);
   EXPECT_TRUE(has(message, "Permission denied")) << message;
 }
 
 TEST(AtomicFile, RemembersTheFirstFailureOnly) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   put(scratch / "note.txt", "old");
   AtomicFile file(scratch / "note.txt");
   file.write_at(std::uint64_t{1} << 63, std::as_bytes(std::span(std::string_view("x"))));  // before the beginning

@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "solver/io/checksum.h"
-#include "tests/unit/io/scratch.h"
+#include "tests/unit/io/files.h"
 
 namespace bake {
 namespace {
@@ -42,7 +42,7 @@ class ACheckpoint : public testing::Test {
   std::string refusal() {
     return message_of<InputError>([&] { CheckpointReader{path_}; });
   }
-  const Scratch scratch_;
+  const TemporaryFolder scratch_;
   const std::filesystem::path path_ = scratch_ / "checkpoint.h5";
 };
 
@@ -92,7 +92,7 @@ TEST_F(ACheckpoint, IsNotTouchedByAWriterThatGivesUp) {
     out.add<float>("position", std::vector<float>(5000));
   }
   EXPECT_EQ(contents(path_), old);
-  EXPECT_EQ(files_in(scratch_.folder()), 1u);
+  EXPECT_EQ(files_in(scratch_.path()), 1u);
 }
 
 TEST_F(ACheckpoint, IsRefusedWhenAnyByteIsFlipped) {

@@ -8,13 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/io/hdf5.h"
-#include "tests/unit/io/scratch.h"
+#include "tests/unit/io/files.h"
 
 namespace bake {
 namespace {
 
 TEST(Frame, ComesBackExactlyWithUnitsAndTime) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const std::vector<float> positions{0, 0.1f, -0.0f, 1e-40f, std::numeric_limits<float>::max(), 3};
   const std::vector<float> theta{20.5f, NAN};
   const std::vector<float> velocity{1, 2, 3, 4, 5, 6};
@@ -36,7 +36,7 @@ TEST(Frame, ComesBackExactlyWithUnitsAndTime) {
 }
 
 TEST(Frame, IsOneVtkCellOverAllParticles) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const std::vector<float> positions(9);
   write_frame(scratch / "0000.hdf", 0, {positions, {}});
   const Hdf5Reader in(scratch / "0000.hdf");
@@ -49,7 +49,7 @@ TEST(Frame, IsOneVtkCellOverAllParticles) {
 }
 
 TEST(Frame, MayHaveNoParticles) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   write_frame(scratch / "0000.hdf", 0,
               {{}, {{"theta", "C", std::span<const float>(), 1}, {"velocity", "m/s", std::span<const float>(), 3}}});
   const Hdf5Reader in(scratch / "0000.hdf");
@@ -58,13 +58,13 @@ TEST(Frame, MayHaveNoParticles) {
 }
 
 TEST(Frame, RefusesColumnsOfAnotherLength) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const std::vector<float> positions(9), theta(2);
   const auto message = message_of<std::invalid_argument>([&] {
     write_frame(scratch / "0000.hdf", 0, {positions, {{"theta", "C", std::span<const float>(theta), 1}}});
   });
   EXPECT_TRUE(has(message, "theta has 2 numbers for 3 particles")) << message;
-  EXPECT_EQ(files_in(scratch.folder()), 0u);
+  EXPECT_EQ(files_in(scratch.path()), 0u);
 }
 
 TEST(Frame, NamesSortLikeNumbers) {
@@ -74,7 +74,7 @@ TEST(Frame, NamesSortLikeNumbers) {
 }
 
 TEST(Series, ListsFilesWithExactTimes) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   write_series(scratch / "frames.hdf.series", {{"0000.hdf", 0}, {"0001.hdf", 1.0 / 24}});
   const auto series = nlohmann::json::parse(contents(scratch / "frames.hdf.series"));
   EXPECT_EQ(series["file-series-version"], "1.0");

@@ -15,7 +15,7 @@
 #include "solver/io/checkpoint.h"
 #include "solver/io/frames.h"
 #include "solver/io/ledger_file.h"
-#include "tests/unit/io/scratch.h"
+#include "tests/unit/io/files.h"
 
 namespace bake {
 namespace {
@@ -92,14 +92,14 @@ class FullDisk : public testing::TestWithParam<Case> {
     GetParam().write(file, 20000);  // and it goes on when there is room again
     EXPECT_NE(contents(file), old);
   }
-  const Scratch scratch_;
+  const TemporaryFolder scratch_;
 };
 
 TEST_P(FullDisk, LeavesTheOldFileAndNothingHalfWritten) {
-  if (!mount_small_disk(scratch_.folder())) GTEST_SKIP() << "mounting a file system needs more rights";
+  if (!mount_small_disk(scratch_.path())) GTEST_SKIP() << "mounting a file system needs more rights";
   expect_old_file_intact(
-      scratch_.folder(), [&] { GetParam().write(scratch_ / "result", k_room); }, "No space left on device");
-  umount(scratch_.folder().c_str());
+      scratch_.path(), [&] { GetParam().write(scratch_ / "result", k_room); }, "No space left on device");
+  umount(scratch_.path().c_str());
 }
 
 TEST_P(FullDisk, OrAFileSizeLimitLeavesTheOldFileAndNothingHalfWritten) {
@@ -107,7 +107,7 @@ TEST_P(FullDisk, OrAFileSizeLimitLeavesTheOldFileAndNothingHalfWritten) {
     const FileSizeLimit limit(k_room);
     GetParam().write(scratch_ / "result", k_room);
   };
-  expect_old_file_intact(scratch_.folder(), write_too_much, "File too large");
+  expect_old_file_intact(scratch_.path(), write_too_much, "File too large");
 }
 
 INSTANTIATE_TEST_SUITE_P(Writing, FullDisk,
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Writing, FullDisk,
                          [](const auto& info) { return info.param.name; });
 
 TEST(FullDiskLedger, KeepsItsLastWholeRow) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const auto path = scratch / "ledger.csv";
   auto ledger = LedgerFile::create(path, {"frame", "mass_kg"});
   ledger.append(std::array{0.0, 0.1});

@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include "solver/scene/scene.h"
-#include "tests/unit/io/scratch.h"
+#include "tests/unit/io/files.h"
 
 namespace bake {
 namespace {
@@ -53,7 +53,7 @@ using Numbers = testing::Types<float, double, std::int32_t, std::int64_t, std::u
 TYPED_TEST_SUITE(Hdf5Numbers, Numbers);
 
 TYPED_TEST(Hdf5Numbers, ComeBackBitForBit) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const auto numbers = awkward_numbers<TypeParam>();
   for (const auto packing : {Packing::none, Packing::shuffle_gzip}) {
     write_file(scratch / "f.hdf", [&](Hdf5Writer& out) {
@@ -69,7 +69,7 @@ TYPED_TEST(Hdf5Numbers, ComeBackBitForBit) {
 }
 
 TYPED_TEST(Hdf5Numbers, MayBeNone) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   write_file(scratch / "f.hdf", [](Hdf5Writer& out) {
     out.array("array", std::span<const TypeParam>(), Packing::shuffle_gzip);
     out.table("table", std::span<const TypeParam>(), 3, Packing::shuffle_gzip);
@@ -80,7 +80,7 @@ TYPED_TEST(Hdf5Numbers, MayBeNone) {
 }
 
 TEST(Hdf5, KeepsArraysOfManyPieces) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   std::vector<std::int32_t> numbers(200001);
   std::iota(numbers.begin(), numbers.end(), -7);
   write_file(scratch / "f.hdf", [&](Hdf5Writer& out) { out.array<std::int32_t>("n", numbers, Packing::shuffle_gzip); });
@@ -89,7 +89,7 @@ TEST(Hdf5, KeepsArraysOfManyPieces) {
 }
 
 TEST(Hdf5, KeepsAttributesExactly) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const auto reals = awkward_numbers<double>();
   write_file(scratch / "f.hdf", [&](Hdf5Writer& out) {
     out.group("g");
@@ -111,7 +111,7 @@ TEST(Hdf5, KeepsAttributesExactly) {
 }
 
 TEST(Hdf5, GivesTheSameBytesForTheSameContents) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const std::vector<float> numbers(1000, 0.5f);
   for (const auto* name : {"a.hdf", "b.hdf"}) {
     write_file(scratch / name, [&](Hdf5Writer& out) { out.array<float>("g/n", numbers, Packing::shuffle_gzip); });
@@ -120,17 +120,17 @@ TEST(Hdf5, GivesTheSameBytesForTheSameContents) {
 }
 
 TEST(Hdf5, LeavesNothingWhenGivenUp) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   {
     AtomicFile file(scratch / "f.hdf");
     Hdf5Writer out(file);
     out.array<float>("n", std::vector<float>(100));
   }
-  EXPECT_EQ(files_in(scratch.folder()), 0u);
+  EXPECT_EQ(files_in(scratch.path()), 0u);
 }
 
 TEST(Hdf5, RefusesTheSameNameTwice) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   AtomicFile file(scratch / "f.hdf");
   Hdf5Writer out(file);
   const std::vector<float> numbers(3);
@@ -140,7 +140,7 @@ TEST(Hdf5, RefusesTheSameNameTwice) {
 }
 
 TEST(Hdf5, SaysInOneLineWhatCannotBeRead) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   const auto path = scratch / "f.hdf";
   write_file(path, [](Hdf5Writer& out) {
     out.array<float>("numbers", std::vector<float>(6));
@@ -155,7 +155,7 @@ TEST(Hdf5, SaysInOneLineWhatCannotBeRead) {
 }
 
 TEST(Hdf5, SaysWhichFileCannotBeOpened) {
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   put(scratch / "note.txt", "these are words");
   write_file(scratch / "f.hdf", [](Hdf5Writer& out) { out.array<float>("n", std::vector<float>(1000)); });
   std::filesystem::resize_file(scratch / "f.hdf", 3000);

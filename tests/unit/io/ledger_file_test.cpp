@@ -8,7 +8,7 @@
 
 #include "solver/io/atomic_file.h"
 #include "solver/scene/scene.h"
-#include "tests/unit/io/scratch.h"
+#include "tests/unit/io/files.h"
 
 namespace bake {
 namespace {
@@ -22,7 +22,7 @@ class ALedger : public testing::Test {
     for (int frame = 0; frame < frames; ++frame) ledger.append(row(frame));
   }
   static std::array<double, 3> row(int frame) { return {double(frame), frame / 24.0, 1.0 / (3 + frame)}; }
-  const Scratch scratch_;
+  const TemporaryFolder scratch_;
   const std::filesystem::path path_ = scratch_ / "ledger.csv";
 };
 

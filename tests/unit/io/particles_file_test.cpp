@@ -7,7 +7,7 @@
 
 #include "solver/io/hdf5.h"
 #include "solver/scene/scene.h"
-#include "tests/unit/io/scratch.h"
+#include "tests/unit/io/files.h"
 
 namespace bake {
 namespace {
@@ -38,7 +38,7 @@ class ParticlesFromAFile : public testing::Test {
     write(contents);
     return refusal();
   }
-  const Scratch scratch_;
+  const TemporaryFolder scratch_;
   const std::filesystem::path path_ = scratch_ / "particles.h5";
 };
 

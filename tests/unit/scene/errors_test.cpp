@@ -127,12 +127,6 @@ TEST(SceneError, MaterialsMustHoldMoreThanTheirWater) {
             "allowed: less water than mixture");
 }
 
-TEST(SceneError, WaterHasHeatOfItsOwnOrThatOfTheSolid) {
-  EXPECT_EQ(
-      error_of(k_least + k_dough + "water_specific_heat_J_per_kgK = -0.5\n"),
-      "bread.toml:12: material.dough.water_specific_heat_J_per_kgK: found -0.5, allowed: a number above 0, or -1 for that of the solid");
-}
-
 TEST(SceneError, BodyNeedsAKnownMaterial) {
   EXPECT_EQ(error_of(k_least + k_dough + "[[body]]\nmaterial = \"duogh\"\n" + k_ball),
             "bread.toml:13: body.0.material: unknown material 'duogh', did you mean 'dough'?");

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A folder of its own for each test, gone when the test ends; and what several tests ask of files.
+// What several tests of files ask.
 #pragma once
-
-#include <unistd.h>
 
 #include <cstring>
 #include <filesystem>
@@ -12,29 +10,9 @@
 #include <string>
 #include <string_view>
 
+#include "tests/support/temporary_folder.h"
+
 namespace bake {
-
-class Scratch {
- public:
-  Scratch() {
-    auto name = (std::filesystem::temp_directory_path() / "bake-io-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~Scratch() { std::filesystem::remove_all(folder_); }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-
-  const std::filesystem::path& folder() const { return folder_; }
-  std::filesystem::path operator/(const char* name) const { return folder_ / name; }
-
- private:
-  std::filesystem::path folder_;
-};
-
-inline std::string contents(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 inline void put(const std::filesystem::path& file, std::string_view text) {
   std::ofstream(file, std::ios::binary).write(text.data(), static_cast<std::streamsize>(text.size()));
