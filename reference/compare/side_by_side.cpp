@@ -64,6 +64,7 @@ void SideBySide::pour_due() {
 bool SideBySide::step() {
   const double begin = solver_->time(), dt = solver_->dt();
   if (!(dt > 0) || begin >= scene_.run.end_s) return false;
+  last_dt_ = dt;
   solver_->advance(begin + dt, scene_.run.end_s);
   baker_.step(dt, surroundings_of(scene_, begin));
   pour_due();
@@ -87,16 +88,16 @@ std::vector<FieldDifference> SideBySide::differences() const {
   add("position", flat(s.position), [](const textbook::Particle& p) { return numbers(p.x); });
   if (scene_.lists(Motion::name)) {
     add("velocity", flat(s.velocity), [](const textbook::Particle& p) { return numbers(p.v); });
-    // Round-off of stresses moves particles at about epsilon times the wave speed, which is below dx / dt.
-    const double wave = 1e-4 * scene_.dx() / solver_->dt();
-    all.back().scale = std::max(all.back().scale, solver_->dt() > 0 ? wave : 0);
+    // Stresses that cancel leave round-off, which moves particles at about epsilon times the wave speed, and that is below dx / dt.
+    FieldDifference& velocity = all.back();
+    velocity.scale = std::max(velocity.scale, 1e-4 * scene_.dx() / last_dt_);
+    const double strain_of_a_step = last_dt_ * velocity.scale / scene_.dx();  // whose round-off the strain of a stiff body has
     add_column("J", field::VolumeRatio::name, [](const textbook::Particle& p) { return p.J; });
-  }
-  if (scene_.lists(Elasticity::name)) {
     add("b_E - I", s[field::ElasticStrain::name], [](const textbook::Particle& p) {
       const textbook::Matrix& b = p.b_E;
       return std::array{b(0, 0) - 1, b(1, 1) - 1, b(2, 2) - 1, b(1, 2), b(0, 2), b(0, 1)};
     });
+    all.back().scale = std::max(all.back().scale, strain_of_a_step);
   }
   if (scene_.lists(Plasticity::name)) add_column("J_P", field::PlasticVolumeRatio::name, [](const textbook::Particle& p) { return p.J_P; });
   if (scene_.lists(Heat::name)) {

@@ -16,7 +16,7 @@ namespace bake {
 struct FieldDifference {
   std::string field;
   double largest = 0;  ///< difference, in the field's unit
-  double scale = 0;    ///< largest magnitude of the field in the textbook
+  double scale = 0;    ///< largest magnitude of the field in the textbook, or of what it is the small difference of
   double relative() const { return largest > 0 ? largest / scale : 0; }
 };
 
@@ -29,9 +29,7 @@ class SideBySide {
 
   /// One step of both, as long as the solver chooses; nothing is left to do (false) at the end of the scene.
   bool step();
-  std::int64_t steps() const { return solver_->counters().steps; }
-  double time() const { return solver_->time(); }
-  std::size_t particles() const { return solver_->particles(); }
+  const Simulation& solver() const { return *solver_; }
   /// Position, velocity and whatever else the scene's effects keep. Infinite if the particles are not the same ones.
   std::vector<FieldDifference> differences() const;
 
@@ -46,6 +44,7 @@ class SideBySide {
   textbook::Baker baker_;
   std::vector<std::unique_ptr<Spout>> spouts_;
   std::int64_t next_id_ = 0;
+  double last_dt_ = k_infinity;
 };
 
 }  // namespace bake

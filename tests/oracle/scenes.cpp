@@ -43,7 +43,6 @@ initial_saturation = 0.2
 initial_porosity = {:.17g}
 initial_temperature_C = 20
 specific_heat_J_per_kgK = 20
-water_specific_heat_J_per_kgK = 40
 conductivity_W_per_mK = {:.17g}
 expansion_per_K = 1e-4
 temperatures_C = [4, 20, 60, 85]
@@ -102,6 +101,7 @@ equilibrium_saturation = 0.05
 gravity_m_per_s2 = {}
 {}
 [heat]
+water_specific_heat_J_per_kgK = 40
 {}
 [water]
 {}

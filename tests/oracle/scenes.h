@@ -11,8 +11,8 @@ namespace bake {
 
 /// What a comparison is made of; everything else of its scene follows from the seed.
 struct RandomScene {
-  std::string name;     ///< of the test
-  std::string effects = {};   ///< "motion, elasticity"
+  std::string name;          ///< of the test
+  std::string effects = {};  ///< "motion, elasticity"
   std::string kernel = "quadratic";
   std::string motion = {};  ///< further keys of [motion]
   std::string heat = {};    ///< of [heat]
