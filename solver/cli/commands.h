@@ -11,14 +11,15 @@
 
 namespace bake::cli {
 
-/// What the program's exit codes mean. 1 is left to commands that check something and find it wanting.
-enum ExitCode { k_success = 0, k_wrong_use = 2, k_failed_run = 3 };
+/// What the program's exit codes mean. 1 is of commands that check something.
+enum ExitCode { k_success = 0, k_found_wanting = 1, k_wrong_use = 2, k_failed_run = 3 };
 
 using Action = std::function<int()>;
 
 void add_run_command(CLI::App& app, Action& action);
-void add_scene_commands(CLI::App& app, Action& action);  ///< list, info, validate
-void add_help_commands(CLI::App& app, Action& action);   ///< explain, version
+void add_scene_commands(CLI::App& app, Action& action);   ///< list, info, validate
+void add_compare_command(CLI::App& app, Action& action);  ///< compare-textbook
+void add_help_commands(CLI::App& app, Action& action);    ///< explain, version
 
 /// "bake 0.1.0" and the commit it was built from.
 std::string version_line();
