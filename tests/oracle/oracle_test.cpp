@@ -131,6 +131,9 @@ from_s = 0.02
              {.name = "held_backward_euler", .heat = "integrator = \"backward_euler\"", .tables = held},
              {.name = "poured", .tables = poured},
              {.name = "gone", .tables = gone},
+             {.name = "thirteen_cells", .gravity = "[150, 150, 150]", .far_corner = "[0.7, 0.7, 0.7]"},
+             {.name = "fourteen_cells", .gravity = "[150, 150, 150]", .far_corner = "[0.8, 0.8, 0.8]"},
+             {.name = "fifteen_cells", .gravity = "[150, 150, 150]", .far_corner = "[0.9, 0.9, 0.9]"},
              {.name = "hurled_at_walls", .gravity = "[150, -100, 50]"},
              {.name = "hurled_through_open_faces", .gravity = "[150, -100, 50]", .faces = "x_max = \"open\"\nz_max = \"open\""},
          }) {

@@ -90,7 +90,7 @@ dx_m = 0.1
 kernel = "{}"
 [domain]
 min_m = [-0.6, -0.6, -0.6]
-max_m = [0.6, 0.6, 0.6]
+max_m = {}
 friction = 0.2
 {}
 [oven]
@@ -112,8 +112,8 @@ water_specific_heat_J_per_kgK = 40
 [surface]
 {}
 )",
-                                 quoted(effects), precision, seed, kernel, faces, gravity.empty() ? drawn : gravity, motion, heat, water,
-                                 plasticity, leavening, surface);
+                                 quoted(effects), precision, seed, kernel, far_corner, faces, gravity.empty() ? drawn : gravity, motion,
+                                 heat, water, plasticity, leavening, surface);
   text += bake::material("dough", dice, strength + material) + bake::material("crust", dice, strength + material);
   text += blob("dough", fmt::format("sphere = {{ centre_m = {}, radius_m = 0.2 }}", dice.vector(-0.1, 0.1)), "", dice);
   text += blob("crust", "box = { centre_m = [0.36, -0.1, 0.1], half_extents_m = [0.12, 0.15, 0.1] }",
