@@ -31,6 +31,7 @@ Contacts::Contacts(const Scene& scene, const Lattice& lattice) : face_friction_(
     all_.push_back({{c.shape, path, c.from_s, c.until_s},
                     rule,
                     c.friction,
+                    c.expels,
                     c.temperature_C,
                     c.exchange_W_per_m2K,
                     path.moves() ? path.largest_speed(c.shape->bounds()) : 0});
@@ -40,6 +41,7 @@ Contacts::Contacts(const Scene& scene, const Lattice& lattice) : face_friction_(
     all_.push_back({{g.shape, path, g.from_s, g.until_s},
                     Rule::grip,
                     0,
+                    false,
                     g.temperature_C,
                     0,
                     path.moves() ? path.largest_speed(g.shape->bounds()) : 0});
@@ -60,11 +62,13 @@ Contacts::Contacts(const Scene& scene, const Lattice& lattice) : face_friction_(
 void Contacts::prepare(double time) {
   present_.clear();
   largest_speed_ = 0;
+  expels_ = false;
   for (const Contacting& c : all_) {
     if (!c.scripted.present(time)) continue;
     const RigidState pose = c.scripted.path.at(time);
     present_.push_back({&c, pose, c.scripted.bounds(pose), c.temperature ? (*c.temperature)(time) : 0});
     largest_speed_ = std::max(largest_speed_, c.speed);
+    expels_ |= c.expels;
   }
 }
 
@@ -76,26 +80,47 @@ bool Contacts::near(const BlockIndex& block, double reach) const {
     const double a = low[static_cast<std::size_t>(f.axis)];
     if (f.sign > 0 ? a <= f.at : a + side >= f.at) return true;
   }
+  return std::any_of(present_.begin(), present_.end(), [&](const Present& p) { return reaches(p, block, reach); });
+}
+
+bool Contacts::expels_near(const BlockIndex& block, double reach) const {
+  return expels_ && std::any_of(present_.begin(), present_.end(),
+                                [&](const Present& p) { return p.contact->expels && reaches(p, block, reach + touching()); });
+}
+
+bool Contacts::reaches(const Present& p, const BlockIndex& block, double reach) const {
+  const Point low = lattice_.origin(block);
+  const double side = 3 * lattice_.dx();
+  for (std::size_t d = 0; d < 3; ++d)
+    if (low[d] > p.bounds.high[d] + reach || low[d] + side < p.bounds.low[d] - reach) return false;
+  const Point middle = low + Vector3{side / 2, side / 2, side / 2};
+  return p.contact->scripted.distance(p.pose, middle) <= 0.87 * side + reach;
+}
+
+Vector3 Contacts::velocity_beside(const Present& p, const Point& x, const Vector3& v) const {
+  const Vector3 wall = p.pose.velocity_at(x);
+  const Rule rule = p.contact->rule;
+  if (rule == Rule::sticky || rule == Rule::grip) return wall;
+  return wall + contact(v - wall, p.contact->scripted.normal(p.pose, x), false, rule == Rule::separating, p.contact->friction);
+}
+
+bool Contacts::push_out(Point& x, Vector3& v) const {
+  bool inside = false;
   for (const Present& p : present_) {
-    bool apart = false;
-    for (std::size_t d = 0; d < 3; ++d) apart |= low[d] > p.bounds.high[d] + reach || low[d] + side < p.bounds.low[d] - reach;
-    if (apart) continue;
-    const Point middle = low + Vector3{side / 2, side / 2, side / 2};
-    if (p.contact->scripted.distance(p.pose, middle) <= 0.87 * side + reach) return true;
+    if (!p.contact->expels) continue;
+    const double distance = p.contact->scripted.distance(p.pose, x);
+    if (distance >= 0) continue;
+    inside = true;
+    v = velocity_beside(p, x, v);
+    // at most one node distance, so that it does not leave the block's reach in one step
+    x = x + std::min(-distance, lattice_.dx()) * p.contact->scripted.normal(p.pose, x);
   }
-  return false;
+  return inside;
 }
 
 Vector3 Contacts::velocity_after(const Point& x, Vector3 v) const {
-  for (const Present& p : present_) {
-    if (p.contact->scripted.distance(p.pose, x) > touching()) continue;
-    const Vector3 wall = p.pose.velocity_at(x);
-    const Rule rule = p.contact->rule;
-    if (rule == Rule::sticky || rule == Rule::grip)
-      v = wall;
-    else
-      v = wall + contact(v - wall, p.contact->scripted.normal(p.pose, x), false, rule == Rule::separating, p.contact->friction);
-  }
+  for (const Present& p : present_)
+    if (p.contact->scripted.distance(p.pose, x) <= touching()) v = velocity_beside(p, x, v);
   for (const DomainFace& f : faces_) {
     const double inside = f.sign * (x[static_cast<std::size_t>(f.axis)] - f.at);
     if (inside > touching()) continue;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/boundary/scripted.h"
+#include "solver/effects/obstacles.h"
 #include "solver/effects/totals.h"
 #include "solver/grid/grid.h"
 
@@ -19,7 +20,7 @@ struct ContactHeat {
   double temperature = 0;  ///< theta [C]
 };
 
-class Contacts {
+class Contacts final : public Obstacles {
  public:
   Contacts(const Scene& scene, const Lattice& lattice);
 
@@ -27,6 +28,9 @@ class Contacts {
   void prepare(double time);
   /// Does anything touch the block or lie within `reach` of it?
   bool near(const BlockIndex& block, double reach) const;
+  /// Is there something that expels particles within `reach` of the block?
+  bool expels_near(const BlockIndex& block, double reach) const;
+  bool push_out(Point& x, Vector3& v) const override;
   /// Applies every contact to a node: returns the velocity after contact.
   Vector3 velocity_after(const Point& x, Vector3 v) const;
   /// Does a solid stand within `reach` of a surface at `x`, in front of its outward normal `n` if that is known? Its heat, zero if
@@ -46,6 +50,7 @@ class Contacts {
     ScriptedShape scripted;
     Rule rule;
     double friction;
+    bool expels;
     std::optional<Curve> temperature;
     double exchange;
     double speed;  ///< largest over its whole path [m/s]
@@ -56,6 +61,8 @@ class Contacts {
     Box3 bounds;
     double temperature;
   };
+  bool reaches(const Present& present, const BlockIndex& block, double reach) const;
+  Vector3 velocity_beside(const Present& present, const Point& x, const Vector3& v) const;
   /// A node this close to a solid is in it: faces are often drawn through nodes, whose positions are rounded [m].
   double touching() const { return 1e-6 * lattice_.dx(); }
 
@@ -73,6 +80,7 @@ class Contacts {
   const Lattice lattice_;
   bool holds_temperatures_ = false;
   double largest_speed_ = 0;
+  bool expels_ = false;
 };
 
 }  // namespace bake

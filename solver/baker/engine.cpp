@@ -81,6 +81,7 @@ BlockWork<Real> Engine<Real>::work(const Step<Real>& step) {
   BlockWork<Real> w;
   w.store = &store_;
   w.physics = physics_.get();
+  w.contacts = &contacts_;
   w.gathered = grid_.data();
   w.scattered = other_.data();
   w.step = step;

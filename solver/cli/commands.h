@@ -11,18 +11,23 @@
 
 namespace bake::cli {
 
-/// What the program's exit codes mean. 1 is of commands that check something.
-enum ExitCode { k_success = 0, k_found_wanting = 1, k_wrong_use = 2, k_failed_run = 3 };
+/// What the program's exit codes mean.
+enum ExitCode { k_success = 0, k_failed_check = 1, k_wrong_use = 2, k_failed_run = 3 };
 
 using Action = std::function<int()>;
 
 void add_run_command(CLI::App& app, Action& action);
-void add_scene_commands(CLI::App& app, Action& action);   ///< list, info, validate
+void add_scene_commands(CLI::App& app, Action& action);  ///< list, info, validate
+void add_check_commands(CLI::App& app, Action& action);  ///< check, bless
+void add_study_command(CLI::App& app, Action& action);
 void add_compare_command(CLI::App& app, Action& action);  ///< compare-textbook
 void add_help_commands(CLI::App& app, Action& action);    ///< explain, version
 
 /// "bake 0.1.0" and the commit it was built from.
 std::string version_line();
+
+/// Where the results of a scene go unless told otherwise: results/<scene>-<quality>.
+std::filesystem::path default_results(const Scene& scene);
 
 /// The option --quality, which fills `quality`.
 void add_quality_option(CLI::App& command, Quality& quality);

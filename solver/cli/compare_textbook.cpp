@@ -53,7 +53,7 @@ int compare(const CompareArguments& arguments) {
   const bool agrees = worst(differences) <= k_largest_relative_difference;
   fmt::print("  they {} {:.0e}{}\n", agrees ? "agree to" : "differ by more than", k_largest_relative_difference,
              agrees ? "" : " (what may part them: reference/textbook/README.md)");
-  return agrees ? k_success : k_found_wanting;
+  return agrees ? k_success : k_failed_check;
 }
 
 }  // namespace

@@ -32,15 +32,10 @@ Scene read(const RunArguments& arguments) {
   return read_scene(find_scene(arguments.scene), options);
 }
 
-std::filesystem::path default_folder(const Scene& scene) {
-  const std::string quality = choice_names(scene.quality)[static_cast<std::size_t>(scene.quality)];
-  return std::filesystem::path("results") / (scene.file.stem().string() + "-" + quality);
-}
-
 int run(const RunArguments& arguments) {
   const Scene scene = read(arguments);
   RunOptions options = arguments.options;
-  if (options.out.empty()) options.out = default_folder(scene);
+  if (options.out.empty()) options.out = default_results(scene);
   const RunSummary summary = run_scene(scene, options);
   if (!options.quiet) fmt::print("{}\n", summary.text);
   return summary.interrupted ? k_failed_run : k_success;
@@ -53,6 +48,11 @@ std::string refuse_unless_positive(const std::string& text) {
 }
 
 }  // namespace
+
+std::filesystem::path default_results(const Scene& scene) {
+  const std::string quality = choice_names(scene.quality)[static_cast<std::size_t>(scene.quality)];
+  return std::filesystem::path("results") / (scene.file.stem().string() + "-" + quality);
+}
 
 void add_run_command(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<RunArguments>();

@@ -61,6 +61,7 @@ class Model final : public Physics<Real> {
   struct From;
   struct To;
   struct Node;
+  void push_out(Particle& p, const Step<Real>& step, Report<Real>& report) const;
   void count(Particle& p, const Constants& k, const Step<Real>& step, Report<Real>& report) const;
   void count_leaving(Particle& p, const Constants& k, const Step<Real>& step, LaneMask<Real> leaving, Report<Real>& report) const;
   void stress_and_scatter(Particle& p, const Constants& k, V* scattered, int stride, const Step<Real>& step, Report<Real>& report) const;
@@ -235,6 +236,8 @@ void Model<Real, Effects...>::advance(V* columns, int material, const V* gathere
   Particle p{columns, k, {}};
   const From from{gathered, gather_stride};
   BAKE_FOR_EACH_EFFECT(Effect::gather(p, from, constants, step, report));
+  if constexpr (Columns::template has<field::VolumeRatio>)
+    if (__builtin_expect(report.obstacles != nullptr, 0)) push_out(p, step, report);
   stress_and_scatter(p, k, scattered, scatter_stride, step, report);
   if constexpr (Particle::template has<field::Velocity>) {
     if (velocity)
@@ -273,6 +276,33 @@ BAKE_INLINE void Model<Real, Effects...>::stress_and_scatter(Particle& p, const 
   for (int c = 0; c < Scattered::width; ++c) scattered[c] = to.values[c];
   for (int axis = 0; axis < 3; ++axis)
     for (int c = 0; c < k_moments; ++c) scattered[(1 + axis) * stride + c] = step.dx * to.moments[c][axis];
+}
+
+/// Particles that an obstacle expels; what it gives them is booked.
+template <class Real, class... Effects>
+void Model<Real, Effects...>::push_out(Particle& p, const Step<Real>& step, Report<Real>& report) const {
+  const V mass = inertia_ * p.mass();
+  for (int l = 0; l < k_width<Real>; ++l) {
+    if (report.alive[l] == 0) continue;
+    Point x;
+    Vector3 v;
+    for (int d = 0; d < 3; ++d) {
+      x[static_cast<std::size_t>(d)] = static_cast<double>(report.origin[d] + step.dx * p[field::x][d][l]);
+      v[static_cast<std::size_t>(d)] = static_cast<double>(p[field::v][d][l]);
+    }
+    const Point x_0 = x;
+    const Vector3 v_0 = v;
+    if (!report.obstacles->push_out(x, v)) continue;
+    const auto m = static_cast<double>(mass[l]);
+    const Vector3 impulse = m * (v - v_0), twist = m * (cross(x, v) - cross(x_0, v_0));
+    for (int d = 0; d < 3; ++d) {
+      const auto i = static_cast<std::size_t>(d);
+      p[field::x][d][l] += static_cast<Real>(x[i] - x_0[i]) / step.dx;
+      p[field::v][d][l] = static_cast<Real>(v[i]);
+      report.booked[static_cast<int>(Entry::impulse_x) + d][l] += static_cast<Real>(impulse[i]);
+      report.booked[static_cast<int>(Entry::twist_x) + d][l] += static_cast<Real>(twist[i]);
+    }
+  }
 }
 
 /// Sums for the ledger over the lanes that are alive.

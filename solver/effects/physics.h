@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solver/core/lanes.h"
+#include "solver/effects/obstacles.h"
 #include "solver/effects/totals.h"
 
 namespace bake {
@@ -45,6 +46,7 @@ struct Report {
   V open_low[3], open_high[3];  ///< open faces of the domain, relative to the block in node distances
   Extremes<Real> extremes{};
   V booked[k_entries] = {};
+  const Obstacles* obstacles = nullptr;  ///< if there are any near that expel particles
   bool totals_wanted = false;
   Totals totals{};
   Totals retired{};  ///< of the particles that leave in this step

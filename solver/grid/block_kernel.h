@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "solver/baker/contacts.h"
 #include "solver/effects/physics.h"
 #include "solver/grid/grid.h"
 
@@ -28,7 +29,8 @@ struct BlockWork {
   const Real* gathered = nullptr;  ///< grid that is read: rows of `row_size` numbers
   Real* scattered = nullptr;       ///< grid that is added to
   Step<Real> step;
-  Real* velocity = nullptr;        ///< if not null: [tile][3][W]
+  Real* velocity = nullptr;  ///< if not null: [tile][3][W]
+  const Contacts* contacts = nullptr;
   Real origin[3];                  ///< of the lattice [m]
   Real low_face[3], high_face[3];  ///< domain, in node distances from the lattice's first node
   bool open_low[3] = {}, open_high[3] = {};

@@ -100,6 +100,7 @@ class BlockKernelOf final : public BlockKernel<Real> {
     load_tile(work.gathered, block, scratch.gather_tile.data());
     Report<Real> report;
     report.totals_wanted = totals;
+    if (work.contacts->expels_near(block.at, 2 * static_cast<double>(work.step.dx))) report.obstacles = work.contacts;
     const int corner[3] = {4 * block.at.x, 4 * block.at.y, 4 * block.at.z};
     for (int d = 0; d < 3; ++d) {
       report.origin[d] = work.origin[d] + work.step.dx * Real(corner[d]);

@@ -143,7 +143,8 @@ void Hdf5Writer::attribute(const std::string& object, const std::string& name, s
   const auto type = checked(H5Tcopy(H5T_C_S1), H5Tclose, name);
   check(H5Tset_size(type, std::max<std::size_t>(text.size(), 1)), name);  // of fixed length: VTK reads no other
   check(H5Tset_strpad(type, H5T_STR_NULLPAD), name);
-  check(H5Tset_cset(type, H5T_CSET_UTF8), name);
+  const bool ascii = std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 128; });
+  check(H5Tset_cset(type, ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8), name);  // ParaView 5.11 takes a VTKHDF type in ASCII only
   write_attribute(object, name, type, checked(H5Screate(H5S_SCALAR), H5Sclose, name), text.empty() ? "" : text.data());
 }
 

@@ -18,7 +18,7 @@ if(GIT)
   git(prefix rev-parse --show-prefix)
   if(prefix STREQUAL "")  # else unpacked inside some other repository: its commit says nothing of these sources
     git(BAKE_COMMIT rev-parse HEAD)
-    git(changes status --porcelain -- solver CMakeLists.txt)
+    git(changes status --porcelain -- solver claims studies CMakeLists.txt)
     if(changes STREQUAL "")
       set(BAKE_SOURCES "clean")
     elseif(NOT changes STREQUAL "unknown")

@@ -105,6 +105,7 @@ struct Collider {
   double until_s = k_infinity;
   Contact contact = Contact::separating;
   double friction = 0;
+  bool expels = false;
   std::optional<Curve> temperature_C;  ///< unset: no conduction, the oven's air reaches between
   double exchange_W_per_m2K = 0;
   static constexpr auto parameters() {
@@ -117,6 +118,8 @@ struct Collider {
         Parameter{"until_s", &Collider::until_s, "s", Range{}, "it is taken away at this time"},
         Parameter{"contact", &Collider::contact, "", any_number, "sticky, slip (no parting), or separating with Coulomb friction"},
         Parameter{"friction", &Collider::friction, "1", non_negative, "Coulomb coefficient (contact = \"separating\")"},
+        Parameter{"expels", &Collider::expels, "", any_number,
+                  "also moves particles out of it, one by one: for blades, which the grid alone lets dough pass through"},
         Parameter{"temperature_C", &Collider::temperature_C, "C", above_absolute_zero,
                   "conductive theta over time; without it the collider passes no heat"},
         Parameter{"exchange_W_per_m2K", &Collider::exchange_W_per_m2K, "W/(m^2 K)", non_negative,

@@ -187,5 +187,62 @@ until_s = 0.3
   }
 }
 
+TEST(AnEmitter, OverAnOpenFaceBooksWhatComesAndWhatGoes) {
+  Dough dough;
+  dough.effects = k_everything;
+  dough.material = Dough::properties(Dough::moving_water());
+  dough.gravity = "[0, 0, -9.81]";
+  dough.domain = "z_min = \"open\"";
+  dough.ball = "sphere = { centre_m = [0.5, 0.5, 0.5], radius_m = 0.2 }";
+  dough.tables = R"([[emitter]]
+material = "dough"
+shape = { cylinder = { from_m = [0, 0, -0.6], to_m = [0, 0, -0.5], radius_m = 0.2 } }
+velocity_m_per_s = [0, 0, -3]
+temperature_C = 50
+particles_per_cell = 8
+until_s = 0.15
+)";
+  const auto s = dough.begin();
+  EXPECT_TRUE(s->advance(0.25, 0.3));
+  const Sums now(*s), emitted(s->emitted()), retired(s->retired());
+  EXPECT_GT(retired.mass(), 0.3 * emitted.mass()) << "else nothing was tested";
+  EXPECT_GT(emitted.heat / emitted.mass(), 1.5 * (now.heat + retired.heat - emitted.heat) / now.mass()) << "what is poured is warmer";
+  // The ball at the start is what there was but for what was poured, left, evaporated or pushed.
+  const Sums ball(dough.begin()->totals()), first(dough.begin()->emitted());
+  const double steps = static_cast<double>(s->counters().steps) * 1e-12;
+  EXPECT_NEAR(now.solid + retired.solid, ball.solid + emitted.solid - first.solid, steps * now.solid);
+  EXPECT_NEAR(now.water + retired.water + now.evaporated, ball.water + emitted.water - first.water, steps * now.water);
+  EXPECT_NEAR(now.heat + retired.heat, ball.heat + emitted.heat - first.heat + now.heat_gained(), steps * now.heat);
+  for (std::size_t d = 0; d < 3; ++d)
+    EXPECT_NEAR(now.momentum[d] + retired.momentum[d],
+                ball.momentum[d] + emitted.momentum[d] - first.momentum[d] + now.impulse[d] + now.remapped[d], steps * now.mass() * 10);
+}
+
+TEST(AKnife, GivesWhatItBooks) {
+  Dough dough;
+  dough.tables = R"([[collider]]
+shape = { box = { centre_m = [0, 0, 0.4], half_extents_m = [0.03, 0.3, 0.3] } }
+contact = "separating"
+expels = true
+motion = [{ time_s = 0 }, { time_s = 0.2, position_m = [0, 0, -0.4] }]
+)";
+  const auto s = dough.begin();
+  const Sums start(*s);
+  int steps = 0;
+  take_steps(*s, 100, dough.dt, [&] {
+    const Sums now(*s);
+    const double scale = ++steps * 1e-12 * start.mass() * 4;
+    for (std::size_t d = 0; d < 3; ++d) {
+      ASSERT_NEAR(now.momentum[d], start.momentum[d] + now.impulse[d] - start.impulse[d], scale);
+      ASSERT_NEAR(now.angular[d], start.angular[d] + now.twist[d] - start.twist[d], scale);
+    }
+  });
+  EXPECT_LT(Sums(*s).impulse[2], -0.05 * start.mass()) << "else nothing was tested";
+  for (const Vector3& x : s->snapshot().position) {  // the blade's lower edge is now at -0.1: nobody is deep in it
+    const double depth = std::min({0.03 - std::abs(x[0]), 0.3 - std::abs(x[1]), x[2] + 0.1});
+    EXPECT_LT(depth, 0.01) << x[0] << " " << x[1] << " " << x[2];
+  }
+}
+
 }  // namespace
 }  // namespace bake

@@ -10,10 +10,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "solver/io/hdf5.h"
 #include "solver/io/ledger_file.h"
 #include "tests/support/temporary_folder.h"
 
@@ -30,7 +32,9 @@ class Baked {
                     BAKE_SOURCE_DIR, scene, frames, folder.path().string());
     const int status = std::system(command.c_str());
     exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    if (exit_code == 0) ledger_ = read_ledger(folder / "ledger.csv");
+    if (exit_code != 0) return;
+    ledger_ = read_ledger(folder / "ledger.csv");
+    positions_ = Hdf5Reader(folder / fmt::format("frames/{:04}.hdf", frames)).table<float>("VTKHDF/Points", 3);
   }
   std::vector<double> operator[](const std::string& column) const {
     const auto at = std::find(ledger_.columns.begin(), ledger_.columns.end(), column);
@@ -40,10 +44,13 @@ class Baked {
     return values;
   }
   const Ledger& ledger() const { return ledger_; }
+  /// Positions in the last frame, x y z by x y z [m].
+  const std::vector<float>& positions() const { return positions_; }
   int exit_code;
 
  private:
   Ledger ledger_;
+  std::vector<float> positions_;
 };
 
 double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
@@ -164,6 +171,42 @@ TEST(PouringScene, WhatIsPouredIsBookedAndKeepsItsVolume) {
   // Only its pores (a tenth) can be pressed out, and elastically its own weight: 300 Pa against a bulk modulus of 8300 Pa, 4 %.
   EXPECT_GT(run["volume_m3"].back(), 0.9 * 0.96 * poured);
   EXPECT_LT(run["volume_m3"].back(), 1.01 * poured);
+}
+
+/// Sizes of the pieces, largest first: particles belong together where their cells of side `dx` touch.
+std::vector<std::size_t> pieces(const std::vector<float>& positions, double dx) {
+  std::map<std::array<int, 3>, std::size_t> unseen;  // cell -> particles in it
+  for (std::size_t i = 0; i + 2 < positions.size(); i += 3) {
+    std::array<int, 3> cell;
+    for (std::size_t d = 0; d < 3; ++d) cell[d] = static_cast<int>(std::floor(static_cast<double>(positions[i + d]) / dx));
+    ++unseen[cell];
+  }
+  std::vector<std::size_t> sizes;
+  while (!unseen.empty()) {
+    sizes.push_back(0);
+    std::vector<std::array<int, 3>> reached{unseen.begin()->first};
+    while (!reached.empty()) {
+      const auto cell = reached.back();
+      reached.pop_back();
+      const auto found = unseen.find(cell);
+      if (found == unseen.end()) continue;
+      sizes.back() += found->second;
+      unseen.erase(found);
+      for (int n = 0; n < 27; ++n) reached.push_back({cell[0] + n / 9 - 1, cell[1] + n / 3 % 3 - 1, cell[2] + n % 3 - 1});
+    }
+  }
+  std::sort(sizes.rbegin(), sizes.rend());
+  return sizes;
+}
+
+TEST(KnifeScene, LeavesTwoPiecesOfAboutOneSize) {
+  const Baked run("features/knife.toml", 18);
+  ASSERT_NO_FATAL_FAILURE(expect_finished(run, 18));
+  const auto sizes = pieces(run.positions(), 0.01);  // of a node distance
+  const std::size_t all = run.positions().size() / 3;
+  ASSERT_GE(sizes.size(), 2u) << "it is still one piece";
+  EXPECT_GT(sizes[0] + sizes[1], all * 98 / 100) << "crumbs";
+  EXPECT_GT(sizes[1], all * 45 / 100);
 }
 
 TEST(Bread, RisesInItsFirstSeconds) {

@@ -2,41 +2,11 @@
 // Cruel scenes end with finite numbers and closed books, or with an error that names particle, quantity and step.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <limits>
-
-#include "tests/conservation/dough.h"
+#include "tests/stability/cruel.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bake {
 namespace {
-
-void expect_finite(const Simulation& s) {
-  for (const double x : s.ledger_row()) ASSERT_TRUE(std::isfinite(x));
-  const Snapshot now = s.snapshot();
-  for (const auto& [name, values] : now.columns)
-    for (const double x : values) ASSERT_TRUE(std::isfinite(x)) << name;
-  for (const Vector3& x : now.position)
-    for (const double c : x) ASSERT_TRUE(c >= -1 && c <= 1) << c;
-}
-
-/// What must hold at the end of any closed scene in free flight, however cruel (steps have been taken, so round-off adds up).
-void expect_closed_books(const Simulation& s, const Sums& start) {
-  const double tolerance = static_cast<double>(s.counters().steps + 1) * 1e-12;
-  const Sums now(s);
-  EXPECT_NEAR(now.solid, start.solid, 1e-12 * start.solid);
-  EXPECT_NEAR(now.water + now.evaporated, start.water, tolerance * start.water);
-  EXPECT_EQ(s.counters().retired, 0);
-}
-
-Dough small() {
-  Dough dough;
-  dough.dx = 0.125;
-  dough.dt = 0.02;
-  dough.ball = "sphere = { centre_m = [0.01, 0.02, 0.03], radius_m = 0.3 }";
-  dough.gravity = "[0, 0, -9.81]";
-  return dough;
-}
 
 TEST(AStepAskedForFarTooLarge, IsCutToWhatIsStable) {
   Dough dough = small();

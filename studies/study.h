@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Studies: what the solver is held to, measured and written down. `bake study <name>` runs one.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace bake::studies {
+
+struct StudyOptions {
+  bool quick = false;         ///< the resolutions of the tests instead of all
+  std::filesystem::path out;  ///< folder of the tables; made if it is not there
+};
+
+/// A study by name. `run` prints its table, writes it to the folder, and returns whether everything held that was claimed.
+struct Study {
+  const char* name;
+  const char* meaning;  ///< one line for `bake study --help`
+  bool (*run)(const StudyOptions& options);
+};
+
+/// All studies. To add one, add a line.
+const std::vector<Study>& all_studies();
+
+}  // namespace bake::studies

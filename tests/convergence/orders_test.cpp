@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Every case of `bake study convergence` at its quick resolutions. Bands and their reasons stand with the cases, in
+// studies/convergence, and are printed where one is missed.
+#include <gtest/gtest.h>
+
+#include "studies/convergence/cases.h"
+#include "studies/order.h"
+
+namespace bake::studies {
+namespace {
+
+void expect_held(std::vector<Errors> (*measure)(bool quick)) {
+  for (const Errors& e : measure(true)) {
+    ASSERT_GE(e.errors.size(), e.figure == Errors::Figure::order ? 3u : 1u) << e.quantity;
+    EXPECT_TRUE(e.holds()) << in_words(e);
+  }
+}
+
+TEST(TheFittedOrder, IsTheExponentOfAPowerLaw) {
+  EXPECT_NEAR(fitted_order(std::vector{8., 16., 40.}, std::vector{3 / 64., 3 / 256., 3 / 1600.}), 2, 1e-12);
+}
+
+TEST(Slab, DecaysAtSecondOrderInside) { expect_held(slab_cosine); }
+TEST(Slab, KeepsAJumpBetweenNeighboursWithinACell) { expect_held(slab_halves); }
+TEST(Slab, WarmsAtFirstOrderBetweenHeldFaces) {
+  expect_held(slab_held);
+  expect_held(slab_held_and_insulated);
+}
+
+TEST(Slab, CoolsInAirAtFirstOrder) { expect_held(robin); }
+TEST(Square, WarmsAtFirstOrderBetweenHeldSides) { expect_held(square); }
+TEST(BothEulers, AreOfFirstOrderInTime) { expect_held(eulers); }
+
+TEST(Water, DiffusesAtSecondOrderInside) { expect_held(fick); }
+TEST(Water, SpreadsIntoDrySolidAsBarenblattSaysButLagsAtTheFront) { expect_held(barenblatt); }
+
+TEST(ElasticPulse, TravelsAtSecondOrderInSpaceAndFirstInTime) { expect_held(pulse_wave); }
+TEST(ElasticBar, SwingsFreelyWithAPeriodOfSecondOrder) { expect_held(free_bar); }
+TEST(ElasticBar, SwingsBetweenWallsWithAPeriodOfFirstOrder) { expect_held(clamped_bar); }
+TEST(HenckyBar, TearsWithTheFanOfItsLaw) { expect_held(hencky_fan); }
+TEST(FreeFall, IsExactInVelocityAndOfFirstOrderInPath) { expect_held(free_fall); }
+TEST(SpinningDisc, WidensAsElasticitySaysAndKeepsItsAngularMomentum) { expect_held(spinning_disc); }
+TEST(Block, SlidesAndSticksOnASlopeAsCoulombSays) { expect_held(slope); }
+
+TEST(LumpedSphere, CoolsThroughAnAreaOfSecondOrder) { expect_held(lumped_sphere); }
+TEST(SqueezedDough, WarmsAdiabatically) { expect_held(adiabatic); }
+TEST(WarmDough, ExpandsUntilItIsFreeOfStress) { expect_held(thermal_strain); }
+TEST(Pores, FillTheVolumeOfAnIdealGas) { expect_held(open_pores); }
+TEST(Pores, PushWithThePressureOfAnIdealGas) { expect_held(closed_pores); }
+TEST(PressedDough, FlowsWithTheRateOfEitherNorm) { expect_held(perzyna); }
+
+}  // namespace
+}  // namespace bake::studies
