@@ -20,7 +20,8 @@ void add_run_command(CLI::App& app, Action& action);
 void add_scene_commands(CLI::App& app, Action& action);  ///< list, info, validate
 void add_check_commands(CLI::App& app, Action& action);  ///< check, bless
 void add_study_command(CLI::App& app, Action& action);
-void add_help_commands(CLI::App& app, Action& action);  ///< explain, version
+void add_compare_command(CLI::App& app, Action& action);  ///< compare-textbook
+void add_help_commands(CLI::App& app, Action& action);    ///< explain, version
 
 /// "bake 0.1.0" and the commit it was built from.
 std::string version_line();

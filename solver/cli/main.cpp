@@ -42,6 +42,7 @@ int run_command_line(std::vector<std::string> arguments) {
   Action action;
   add_run_command(app, action);
   add_scene_commands(app, action);
+  add_compare_command(app, action);
   add_check_commands(app, action);
   add_study_command(app, action);
   add_help_commands(app, action);

@@ -5,6 +5,7 @@
 // be gathered after it, in the same place. Blocks come into being where particles are: the 27 around every home block.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -64,21 +65,16 @@ struct ActiveBlocks {
 
   std::vector<std::array<std::int32_t, 27>> around;  ///< slots of a block's neighbours and its own, as in HomeBlock; -1: not there
 
-  /// Makes the 27 blocks around every home block, in order of first use, and writes the neighbour tables.
+  /// Makes the 27 blocks around every home block, and those that dough is mirrored into at a face of the domain, in order of first
+  /// use; writes the neighbour tables.
   void surround(std::vector<HomeBlock>& homes, const Lattice& lattice) {
     if (slot_of.size() != lattice.block_count()) slot_of.assign(lattice.block_count(), -1);
     for (const BlockIndex& b : at) slot_of[lattice.linear(b)] = -1;
     at.clear();
-    for (HomeBlock& home : homes)
-      for (int i = 0; i < 27; ++i) {
-        const BlockIndex b = neighbour(home.at, i);
-        std::int32_t& slot = slot_of[lattice.linear(b)];
-        if (slot < 0) {
-          slot = static_cast<std::int32_t>(at.size());
-          at.push_back(b);
-        }
-        home.neighbour[i] = slot;
-      }
+    for (HomeBlock& home : homes) {
+      for (int i = 0; i < 27; ++i) home.neighbour[i] = make(neighbour(home.at, i), lattice);
+      make_mirrored(home.at, lattice);
+    }
     around.resize(at.size());
     for (std::size_t s = 0; s < at.size(); ++s)
       for (int i = 0; i < 27; ++i) around[s][static_cast<std::size_t>(i)] = slot_at(neighbour(at[s], i), lattice);
@@ -90,6 +86,31 @@ struct ActiveBlocks {
   }
 
  private:
+  std::int32_t make(const BlockIndex& b, const Lattice& lattice) {
+    std::int32_t& slot = slot_of[lattice.linear(b)];
+    if (slot < 0) {
+      slot = static_cast<std::int32_t>(at.size());
+      at.push_back(b);
+    }
+    return slot;
+  }
+  /// A home's particles reach its nodes -1 to 6; the images of those, up to three nodes beyond a face (solver/grid/surface.cpp), may
+  /// lie further than one block away.
+  void make_mirrored(const BlockIndex& home, const Lattice& lattice) {
+    const int first[3] = {4 * home.x, 4 * home.y, 4 * home.z};
+    int low[3] = {-1, -1, -1}, high[3] = {1, 1, 1};
+    bool more = false;
+    for (int d = 0; d < 3; ++d) {
+      const int low_face = static_cast<int>(lattice.low_face()) - first[d], high_face = static_cast<int>(lattice.high_face(d)) - first[d];
+      if (low_face + 3 >= -1) low[d] = std::min(-1, (low_face - 3) >> 2);
+      if (high_face - 3 <= 6) high[d] = std::max(1, (high_face + 3) >> 2);
+      more |= low[d] < -1 || high[d] > 1;
+    }
+    if (!more) return;
+    for (int x = low[0]; x <= high[0]; ++x)
+      for (int y = low[1]; y <= high[1]; ++y)
+        for (int z = low[2]; z <= high[2]; ++z) make({home.x + x, home.y + y, home.z + z}, lattice);
+  }
   static BlockIndex neighbour(const BlockIndex& b, int i) { return {b.x + i / 9 - 1, b.y + i / 3 % 3 - 1, b.z + i % 3 - 1}; }
 };
 

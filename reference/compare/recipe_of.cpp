@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "reference/compare/recipe_of.h"
+
+#include "solver/boundary/scripted.h"
+
+namespace bake {
+
+namespace {
+
+textbook::Vector plain(const Vector3& v) { return {{v[0], v[1], v[2]}}; }
+Vector3 packed(const textbook::Vector& v) { return {v[0], v[1], v[2]}; }
+
+textbook::Form plain(Form form) { return form == Form::published ? textbook::Form::published : textbook::Form::standard; }
+
+textbook::Rule plain(Contact contact) {
+  return contact == Contact::sticky ? textbook::Rule::sticky : contact == Contact::slip ? textbook::Rule::slip : textbook::Rule::separating;
+}
+
+textbook::Rule plain(Face face) {
+  return face == Face::open     ? textbook::Rule::open
+         : face == Face::sticky ? textbook::Rule::sticky
+         : face == Face::slip   ? textbook::Rule::slip
+                                : textbook::Rule::separating;
+}
+
+textbook::Material plain(const Material& m) {
+  textbook::Material out;
+  out.density = m.density_kg_per_m3;
+  out.initial_porosity = m.initial_porosity;
+  out.s_0 = m.initial_saturation;
+  out.theta_0 = m.initial_temperature_C;
+  out.young_modulus = of<Elasticity>(m).young_modulus_Pa;
+  out.poisson_ratio = of<Elasticity>(m).poisson_ratio;
+  const auto& heat = of<Heat>(m);
+  out.alpha_s = heat.specific_heat_J_per_kgK;
+  out.kappa = heat.conductivity_W_per_mK;
+  out.alpha_l = heat.expansion_per_K;
+  const auto& water = of<Water>(m);
+  out.rho_w = water.water_density_kg_per_m3;
+  out.K = water.diffusivity_m2_per_sK;
+  out.beta_w = water.evaporation_kg_per_m2sK;
+  out.c_hat = water.pressure_Pa;
+  const auto& plasticity = of<Plasticity>(m);
+  for (std::size_t i = 0; i < 4; ++i) {
+    out.theta[i] = plasticity.temperatures_C[i];
+    out.tau_y[i] = plasticity.yield_stress_Pa[i];
+    out.eta[i] = plasticity.viscosity_Pa_s[i];
+  }
+  const auto& leavening = of<Leavening>(m);
+  out.alpha_g = leavening.production_mol_per_kgs;
+  out.theta_r = leavening.peak_temperature_C;
+  out.delta_theta = leavening.temperature_width_K;
+  out.leavener_total = leavening.leavener_mol_per_m3;
+  return out;
+}
+
+/// `thing`: a collider or a grip.
+template <class Thing>
+textbook::Solid solid_at(const Thing& thing, double time_s) {
+  const ScriptedShape scripted{thing.shape, RigidPath(thing.motion, thing.pivot_m), thing.from_s, thing.until_s};
+  const RigidState pose = scripted.path.at(time_s);
+  textbook::Solid solid;
+  solid.distance = [=](const textbook::Vector& x) { return scripted.distance(pose, packed(x)); };
+  solid.normal = [=](const textbook::Vector& x) { return plain(scripted.normal(pose, packed(x))); };
+  solid.velocity = [=](const textbook::Vector& x) { return plain(pose.velocity_at(packed(x))); };
+  if (thing.temperature_C) solid.theta = (*thing.temperature_C)(time_s);
+  return solid;
+}
+
+template <class Thing>
+bool present(const Thing& thing, double time_s) {
+  return time_s >= thing.from_s && time_s < thing.until_s;
+}
+
+}  // namespace
+
+textbook::Recipe recipe_of(const Scene& scene) {
+  textbook::Recipe r;
+  r.motion = scene.lists(Motion::name);
+  r.heat = scene.lists(Heat::name);
+  r.water = scene.lists(Water::name);
+  r.elasticity = scene.lists(Elasticity::name);
+  r.plasticity = scene.lists(Plasticity::name);
+  r.leavening = scene.lists(Leavening::name);
+  for (const Material& m : scene.materials) r.materials.push_back(plain(m));
+
+  const DomainSettings& domain = scene.domain;
+  r.dx = scene.dx();
+  r.low = plain(domain.min_m);
+  for (std::size_t d = 0; d < 3; ++d) {
+    constexpr double k_rounding = 1e-6;  // a box of a whole number of cells gets no further one
+    r.cells[d] = std::max(1, static_cast<int>(std::ceil((domain.max_m[d] - domain.min_m[d]) / r.dx - k_rounding)));
+  }
+  const Face faces[3][2] = {{domain.x_min, domain.x_max}, {domain.y_min, domain.y_max}, {domain.z_min, domain.z_max}};
+  for (int axis = 0; axis < 3; ++axis)
+    for (int side = 0; side < 2; ++side) r.faces[axis][side] = plain(faces[axis][side]);
+  r.face_friction = domain.friction;
+  r.kernel = scene.grid.kernel == KernelOrder::cubic ? textbook::Kernel::cubic : textbook::Kernel::quadratic;
+
+  const auto& motion = scene.of<Motion>();
+  r.transfer = motion.transfer == Motion::Transfer::flip  ? textbook::Transfer::flip
+               : motion.transfer == Motion::Transfer::pic ? textbook::Transfer::pic
+                                                          : textbook::Transfer::apic;
+  r.flip_blend = motion.flip_blend;
+  r.gravity = plain(motion.gravity_m_per_s2);
+  r.inertia_scale = motion.inertia_scale;
+
+  const auto& heat = scene.of<Heat>();
+  if (heat.integrator == Heat::Integrator::backward_euler) r.heat_step = textbook::HeatStep::backward_euler;
+  r.exchange_form = plain(heat.exchange_form);
+  r.expansion_form = plain(heat.expansion_form);
+  r.water_form = plain(scene.of<Water>().form);
+  r.alpha_w = heat.water_specific_heat_J_per_kgK;
+  r.latent_heat = scene.of<Water>().latent_heat_J_per_kg;
+  r.leavening_form = plain(scene.of<Leavening>().form);
+  r.reference_pressure = scene.of<Leavening>().reference_pressure_Pa;
+  r.porosity_form = plain(scene.of<Plasticity>().porosity_form);
+  if (scene.of<Plasticity>().norm == Plasticity::Norm::quadratic) r.norm = textbook::Norm::quadratic;
+  r.surface_form = plain(scene.surface.form);
+  return r;
+}
+
+textbook::Surroundings surroundings_of(const Scene& scene, double time_s) {
+  textbook::Surroundings s;
+  s.air = {scene.oven.exchange_W_per_m2K(time_s), scene.oven.temperature_C(time_s), scene.oven.equilibrium_saturation(time_s)};
+  for (const Collider& collider : scene.colliders) {
+    if (!present(collider, time_s)) continue;
+    s.solids.push_back(solid_at(collider, time_s));
+    s.solids.back().rule = plain(collider.contact);
+    s.solids.back().friction = collider.friction;
+    s.solids.back().beta = collider.exchange_W_per_m2K;
+  }
+  for (const Grip& grip : scene.grips) {
+    if (!present(grip, time_s)) continue;
+    s.solids.push_back(solid_at(grip, time_s));
+    s.solids.back().rule = textbook::Rule::sticky;
+    s.solids.back().is_grip = true;
+  }
+  return s;
+}
+
+textbook::Beginning beginning_of(const Scene& scene, const NewParticle& particle, std::int64_t id) {
+  const Material& m = scene.materials[static_cast<std::size_t>(particle.material)];
+  textbook::Beginning b;
+  b.id = id;
+  b.material = particle.material;
+  b.x = plain(particle.x);
+  b.v = plain(particle.velocity);
+  b.volume = particle.volume;
+  b.spin = plain(particle.spin);
+  b.theta = particle.body->temperature_C.value_or(m.initial_temperature_C);
+  b.saturation = particle.body->saturation.value_or(m.initial_saturation);
+  b.leavener = particle.body->leavener;
+  return b;
+}
+
+}  // namespace bake

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// The solver and the textbook baker on the same scene, with the same steps: how far do they come apart?
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "reference/textbook/baker.h"
+#include "solver/baker/fill_scene.h"
+#include "solver/baker/simulation.h"
+
+namespace bake {
+
+/// The largest difference in one field of the particles, over all particles and components.
+struct FieldDifference {
+  std::string field;
+  double largest = 0;  ///< difference, in the field's unit
+  double scale = 0;    ///< largest magnitude of the field in the textbook, or of what it is the small difference of
+  double relative() const { return largest > 0 ? largest / scale : 0; }
+};
+
+double worst(const std::vector<FieldDifference>& differences);
+
+class SideBySide {
+ public:
+  /// Fills the scene and takes the step of no time. Throws InputError.
+  explicit SideBySide(const Scene& scene);
+
+  /// One step of both, as long as the solver chooses; nothing is left to do (false) at the end of the scene.
+  bool step();
+  const Simulation& solver() const { return *solver_; }
+  /// Position, velocity and whatever else the scene's effects keep. Infinite if the particles are not the same ones.
+  std::vector<FieldDifference> differences() const;
+
+  /// Memory that the textbook's dense grid needs for a scene [bytes].
+  static double textbook_bytes(const Scene& scene);
+
+ private:
+  void pour_due();
+
+  const Scene scene_;
+  std::unique_ptr<Simulation> solver_;
+  textbook::Baker baker_;
+  std::vector<std::unique_ptr<Spout>> spouts_;
+  std::int64_t next_id_ = 0;
+  double last_dt_ = k_infinity;
+};
+
+}  // namespace bake

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "reference/textbook/baker.h"
+
+#include "reference/textbook/conduction.h"
+#include "reference/textbook/contact.h"
+#include "reference/textbook/elasticity.h"
+#include "reference/textbook/heat.h"
+#include "reference/textbook/leavening.h"
+#include "reference/textbook/motion.h"
+#include "reference/textbook/plasticity.h"
+#include "reference/textbook/surface.h"
+#include "reference/textbook/water.h"
+
+namespace bake::textbook {
+
+void Baker::add(const Beginning& b) {
+  Particle p;
+  p.id = b.id;
+  p.material = b.material;
+  const Material& m = material(p);
+  p.x = b.x;
+  p.v = b.v;
+  p.C = p.grad_v = {{{0, -b.spin[2], b.spin[1]}, {b.spin[2], 0, -b.spin[0]}, {-b.spin[1], b.spin[0], 0}}};
+  p.V_0 = b.volume;
+  p.theta = p.theta_peak = recipe_.heat ? b.theta : m.theta_0;
+  p.c = b.leavener;
+  // The density is that of the mixture at the material's own saturation: a wetter body has more water on the same solid.
+  const double water_per_saturation = recipe_.water ? m.rho_w : 0;
+  p.m_s = b.volume * (m.density - water_per_saturation * m.s_0);
+  p.m_w = b.volume * water_per_saturation * b.saturation;
+  update_stress(p);
+  particles_.push_back(p);
+}
+
+void Baker::step(double dt, const Surroundings& surroundings) {
+  scatter(dt);
+  update_nodes(dt, surroundings);
+  gather(dt);
+}
+
+void Baker::scatter(double dt) {
+  grid_.clear();
+  for (Particle& p : particles_) {
+    const Material& m = material(p);
+    for_each_node(grid_, p.x, recipe_.kernel, [&](const Index& i, const Overlap& o) {
+      Node& node = grid_[i];
+      node.volume += o.w * p.V();  // [Ding19 Eq. 18]
+      if (recipe_.motion) {
+        scatter_momentum(p, recipe_, o, node);
+        scatter_stress(p, dt, o, node);
+      }
+      if (recipe_.water) {
+        scatter_water(p, m, o, node);
+        scatter_water_flux(p, recipe_, dt, o, node);
+      }
+      if (recipe_.water && recipe_.motion) scatter_water_momentum(p, recipe_, dt, o, node);
+      if (recipe_.heat) {
+        scatter_heat(p, recipe_, m, o, node);
+        if (recipe_.heat_step == HeatStep::forward_euler) scatter_conduction(p, m, dt, o, node);
+        if (recipe_.motion) scatter_expansion(p, recipe_, m, dt, o, node);
+        if (recipe_.water) scatter_carried_heat(p, recipe_, dt, o, node);
+      }
+    });
+    p.Q_scattered = p.Q();
+  }
+}
+
+void Baker::update_nodes(double dt, const Surroundings& surroundings) {
+  if (recipe_.heat || recipe_.water) {
+    if (recipe_.surface_form == Form::published)
+      measure_published_surface(particles_, surroundings, grid_);
+    else
+      measure_surface(surroundings, grid_);
+  }
+  grid_.for_each([&](const Index& i, Node& node) {
+    if (!(node.volume > 0)) return;
+    if (recipe_.water) update_water(surroundings.air, dt, node);
+    if (recipe_.heat) {
+      node.held = held_temperature(recipe_, surroundings, grid_.position(i));
+      update_heat(recipe_, dt, node);
+    }
+    if (recipe_.motion) {
+      update_velocity(recipe_, dt, node);
+      touch(grid_, surroundings, i, node.v);
+    }
+  });
+  if (recipe_.heat && recipe_.heat_step == HeatStep::backward_euler) conduct_implicitly(particles_, dt, grid_);
+}
+
+void Baker::gather(double dt) {
+  const double D = second_moment(recipe_.kernel, recipe_.dx);
+  std::vector<Particle> stay;
+  for (Particle& p : particles_) {
+    const Material& m = material(p);
+    SeenVelocity velocity;
+    SeenWater water;
+    SeenHeat heat;
+    for_each_node(grid_, p.x, recipe_.kernel, [&](const Index& i, const Overlap& o) {
+      velocity.add(grid_[i], o, D);
+      water.add(grid_[i], o);
+      heat.add(grid_[i], o);
+    });
+    if (recipe_.motion) move(velocity, recipe_, dt, p);
+    if (recipe_.heat) take_heat(heat, p);
+    if (recipe_.water) take_water(water, m, p);
+    if (recipe_.elasticity) p.b_E = trial_strain(p, dt);
+    if (recipe_.plasticity) return_mapping(recipe_, m, dt, p);
+    if (recipe_.leavening) react(m, dt, p);
+    update_stress(p);
+    if (!leaves(recipe_, p.x)) stay.push_back(p);
+  }
+  particles_ = stay;
+}
+
+/// tau = tau_E - (J p_gas + J p_water + beta_T (theta - theta_0)) I, of solid, gas and water together.   [Ding19 Eq. 10, 13, 14]
+void Baker::update_stress(Particle& p) const {
+  const Material& m = material(p);
+  double pressure = 0;
+  if (recipe_.heat) pressure += thermal_pressure(p, recipe_, m);
+  if (recipe_.water) pressure += water_pressure(p, m);
+  if (recipe_.leavening) pressure += gas_pressure(p, recipe_, m);
+  p.tau = (-pressure) * identity();
+  if (recipe_.elasticity) p.tau += elastic_stress(hencky_strain(p.b_E), m);
+}
+
+}  // namespace bake::textbook

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The textbook baker: one step of the method of [Ding19] as plain loops over a dense grid. Slow, in double precision, on one
+// thread, and independent of the solver: it shares no line of code with it.
+#pragma once
+
+#include <vector>
+
+#include "reference/textbook/grid.h"
+#include "reference/textbook/particle.h"
+#include "reference/textbook/recipe.h"
+
+namespace bake::textbook {
+
+/// How a particle starts.
+struct Beginning {
+  std::int64_t id = 0;
+  int material = 0;
+  Vector x, v;
+  double volume = 0;
+  Vector spin;       ///< of the body around it, about which C turns [rad/s]
+  double theta = 0;  ///< [C]
+  double saturation = 0;
+  double leavener = 1;
+};
+
+class Baker {
+ public:
+  explicit Baker(const Recipe& recipe) : recipe_(recipe), grid_(recipe_) {}
+  Baker(const Baker&) = delete;
+  Baker& operator=(const Baker&) = delete;
+
+  void add(const Beginning&);
+  /// scatter -> grid -> gather. A run begins with a step of no time, which finds the first fluxes.
+  void step(double dt, const Surroundings&);
+
+  const std::vector<Particle>& particles() const { return particles_; }
+  /// Memory that a recipe needs for its nodes [bytes].
+  static double bytes(const Recipe& recipe) { return static_cast<double>(Grid::count(recipe)) * (sizeof(Node) + 10 * sizeof(double)); }
+
+ private:
+  void scatter(double dt);
+  void update_nodes(double dt, const Surroundings&);
+  void gather(double dt);
+  void update_stress(Particle&) const;
+  const Material& material(const Particle& p) const { return recipe_.materials[static_cast<std::size_t>(p.material)]; }
+
+  const Recipe recipe_;
+  Grid grid_;
+  std::vector<Particle> particles_;
+};
+
+}  // namespace bake::textbook

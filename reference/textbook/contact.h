@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Colliders, grips and the faces of the domain act on the velocities of nodes.
+#pragma once
+
+#include "reference/textbook/grid.h"
+
+namespace bake::textbook {
+
+/// A node this close to a solid is in it: faces are often drawn through nodes, whose positions are rounded [m].
+inline double touching(const Recipe& recipe) { return 1e-6 * recipe.dx; }
+
+/// Velocity after contact of dough that moves with `u` relative to a surface with outward normal `n`. Coulomb: friction takes
+/// as much tangential speed as `friction` times the normal speed that the surface takes.
+inline Vector after_contact(const Vector& u, const Vector& n, Rule rule, double friction) {
+  if (rule == Rule::open) return u;
+  if (rule == Rule::sticky) return {};
+  const double normal_speed = dot(u, n);
+  if (rule == Rule::separating && normal_speed >= 0) return u;
+  const Vector along = u - normal_speed * n;
+  const double speed = length(along), taken = rule == Rule::separating ? friction * -normal_speed : 0;
+  return speed > taken ? (1 - taken / speed) * along : Vector{};
+}
+
+inline void touch_solid(const Solid& solid, const Vector& x, Vector& v) {
+  const Vector wall = solid.velocity(x);
+  v = solid.rule == Rule::sticky ? wall : wall + after_contact(v - wall, solid.normal(x), solid.rule, solid.friction);
+}
+
+/// One after the other: colliders and grips in their order, then the domain's faces.
+inline void touch(const Grid& grid, const Surroundings& surroundings, const Index& i, Vector& v) {
+  const Recipe& recipe = grid.recipe();
+  const Vector x = grid.position(i);
+  for (const Solid& solid : surroundings.solids)
+    if (solid.distance(x) <= touching(recipe)) touch_solid(solid, x, v);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t side = 0; side < 2; ++side) {
+      const int face = grid.faces(axis)[side];
+      if (side == 0 ? i[axis] > face : i[axis] < face) continue;
+      Vector inward;
+      inward.at[axis] = side == 0 ? 1 : -1;
+      v = after_contact(v, inward, recipe.faces[axis][side], recipe.face_friction);
+    }
+}
+
+/// Temperature that a grip holds at a node.
+inline std::optional<double> held_temperature(const Recipe& recipe, const Surroundings& surroundings, const Vector& x) {
+  for (const Solid& solid : surroundings.solids)
+    if (solid.is_grip && solid.theta && solid.distance(x) <= touching(recipe)) return solid.theta;
+  return std::nullopt;
+}
+
+/// A particle never leaves the domain: it is held at a closed face. Returns whether it left through an open one.
+inline bool leaves(const Recipe& recipe, Vector& x) {
+  bool left = false;
+  for (int d = 0; d < 3; ++d) {
+    const double low = recipe.low[d], high = low + recipe.cells[d] * recipe.dx;
+    left |= (x[d] < low && recipe.faces[d][0] == Rule::open) || (x[d] > high && recipe.faces[d][1] == Rule::open);
+    x[d] = std::clamp(x[d], low, high);
+  }
+  return left;
+}
+
+}  // namespace bake::textbook

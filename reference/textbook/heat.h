@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Heat: conduction, exchange, expansion, and what moving water carries.   [Ding19 Sec. 4, 6.3]
+#pragma once
+
+#include "reference/textbook/grid.h"
+#include "reference/textbook/particle.h"
+
+namespace bake::textbook {
+
+/// c = alpha_s m_s + alpha_w m_w
+/// DEPARTS [Ding19 Sec. 6.3]: printed with the solid's mass only.
+inline double heat_capacity(const Particle& p, const Recipe& recipe, const Material& m) {
+  return m.alpha_s * p.m_s + recipe.alpha_w * p.m_w;
+}
+
+/// beta_T = 3 K alpha_l: thermal stress per degree [Pa/K]
+inline double thermal_stress_per_degree(const Recipe& recipe, const Material& m) {
+  return recipe.elasticity ? 3 * m.bulk() * m.alpha_l : 0;
+}
+
+/// c_i = sum w c;  c_i theta_i = sum w c theta   [Ding19 Eq. 17]
+inline void scatter_heat(const Particle& p, const Recipe& recipe, const Material& m, const Overlap& o, Node& node) {
+  node.heat_capacity += o.w * heat_capacity(p, recipe, m);
+  node.heat_content += o.w * heat_capacity(p, recipe, m) * p.theta;
+}
+
+/// - dt V kappa grad theta . grad w
+/// DEPARTS [Ding19 Sec. 6.3]: printed without kappa and with the wrong sign.
+inline void scatter_conduction(const Particle& p, const Material& m, double dt, const Overlap& o, Node& node) {
+  node.heat_change -= dt * p.V() * m.kappa * dot(p.grad_theta, o.grad_w);
+}
+
+/// - dt w V_0 beta_T theta_K div v: the heat that expansion takes.
+inline void scatter_expansion(const Particle& p, const Recipe& recipe, const Material& m, double dt, const Overlap& o, Node& node) {
+  const double theta = recipe.expansion_form == Form::published ? p.theta : p.theta + k_zero_celsius;
+  node.heat_change -= dt * o.w * p.V_0 * thermal_stress_per_degree(recipe, m) * theta * p.div_v();
+}
+
+/// + dt alpha_w theta V q . grad w: water brings its heat with it.
+/// DEPARTS [Ding19 Eq. 9]: printed for the mixture's own motion; relative to the solid, moving water carries heat.
+inline void scatter_carried_heat(const Particle& p, const Recipe& recipe, double dt, const Overlap& o, Node& node) {
+  node.heat_change += dt * recipe.alpha_w * p.theta * p.V() * dot(p.q, o.grad_w);
+}
+
+/// theta_i' = (content + change - latent + dt A beta theta_out) / (c_i' + dt A beta): exchange is implicit at the node. c_i' knows
+/// of the water that came or went; vapour leaves after the step with theta_i'.
+/// DEPARTS [Ding19 Sec. 4, 6.3]: as printed the flux is beta (theta - theta_out), and a hot body heats itself.
+inline void update_heat(const Recipe& recipe, double dt, Node& node) {
+  if (!(node.heat_capacity > 0)) return;
+  const double old = node.heat_content / node.heat_capacity;
+  const double capacity = node.heat_capacity + recipe.alpha_w * (node.moved_water + node.evaporated);
+  const double content = node.heat_content + node.heat_change - recipe.latent_heat * node.evaporated;
+  if (recipe.exchange_form == Form::published)
+    node.theta = (content + dt * (node.exchange * old - node.exchange_source)) / capacity;
+  else
+    node.theta = (content + dt * node.exchange_source) / (capacity + dt * node.exchange);
+  node.heat_weight = capacity + dt * node.exchange;
+  if (node.held) {
+    node.theta = *node.held;
+    node.heat_weight = 0;
+  }
+  node.theta_change = node.theta - old;
+}
+
+/// What a particle sees of the nodes' temperatures.
+struct SeenHeat {
+  double change = 0;  ///< [K]
+  Vector grad_theta;  ///< [C/m]
+
+  void add(const Node& node, const Overlap& o) {
+    change += o.w * node.theta_change;
+    grad_theta += node.theta * o.grad_w;
+  }
+};
+
+/// theta += sum w (theta_i' - theta_i)   [Ding19 Eq. 21]
+inline void take_heat(const SeenHeat& seen, Particle& p) {
+  p.theta += seen.change;
+  p.theta_peak = std::max(p.theta_peak, p.theta);
+  p.grad_theta = seen.grad_theta;
+}
+
+/// beta_T (theta - theta_0), as a pressure; as printed c lambda J theta per volume now, with c = beta_T / lambda   [Ding19 Eq. 10]
+inline double thermal_pressure(const Particle& p, const Recipe& recipe, const Material& m) {
+  const double beta_T = thermal_stress_per_degree(recipe, m);
+  return recipe.expansion_form == Form::published ? beta_T * p.J * p.J * p.theta : beta_T * (p.theta - m.theta_0);
+}
+
+}  // namespace bake::textbook

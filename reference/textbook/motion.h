@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Momentum of the mixture.   [Ding19 Sec. 6.1, 6.4]
+#pragma once
+
+#include "reference/textbook/grid.h"
+#include "reference/textbook/particle.h"
+
+namespace bake::textbook {
+
+/// m_i = sum w m;  m_i v_i = sum w m (v + C r): APIC. PIC and FLIP leave out C.   [Ding19 Eq. 15-16]
+/// DEPARTS [Ding19 Eq. 16]: weighted by the mass of solid and water; by the solid's alone momentum is lost.
+inline void scatter_momentum(const Particle& p, const Recipe& recipe, const Overlap& o, Node& node) {
+  const double m = recipe.inertia_scale * p.mass();
+  const Vector v = recipe.transfer == Transfer::apic ? p.v + p.C * o.r : p.v;
+  node.mass += o.w * m;
+  node.momentum += (o.w * m) * v;
+  node.old_momentum += (o.w * m) * p.v;
+}
+
+/// - dt V sigma grad w = - dt V_0 tau grad w   [Ding19 Eq. 27]
+inline void scatter_stress(const Particle& p, double dt, const Overlap& o, Node& node) {
+  node.momentum += (-dt * p.V_0) * (p.tau * o.grad_w);
+}
+
+/// v_i' = momentum / mass + dt g. Vapour leaves after the step with this velocity, so that drying pushes nothing.
+/// [Ding19 Eq. 26-27]
+inline void update_velocity(const Recipe& recipe, double dt, Node& node) {
+  const double mass = node.mass + recipe.inertia_scale * (node.moved_water + node.evaporated);
+  if (node.mass > 0) node.old_v = (1 / node.mass) * node.old_momentum;
+  if (mass > 0) node.v = (1 / mass) * node.momentum + (dt / recipe.inertia_scale) * recipe.gravity;
+}
+
+/// What a particle sees of the nodes' velocities.
+struct SeenVelocity {
+  Vector v, old_v;
+  Matrix affine, gradient;
+
+  void add(const Node& node, const Overlap& o, double D) {
+    v += o.w * node.v;
+    old_v += o.w * node.old_v;
+    affine += (o.w / D) * outer(node.v, o.r);
+    gradient += outer(node.v, o.grad_w);
+  }
+};
+
+/// x += dt v;  J *= det(I + dt grad v)
+inline void move(const SeenVelocity& seen, const Recipe& recipe, double dt, Particle& p) {
+  p.x += dt * seen.v;
+  p.v = recipe.transfer == Transfer::flip ? seen.v + recipe.flip_blend * (p.v - seen.old_v) : seen.v;
+  p.C = seen.affine;
+  p.grad_v = seen.gradient;
+  p.J *= determinant(identity() + dt * p.grad_v);
+}
+
+}  // namespace bake::textbook

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// A particle of the solid, with all that it carries from one step to the next.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "reference/textbook/recipe.h"
+
+namespace bake::textbook {
+
+struct Particle {
+  std::int64_t id = 0;
+  int material = 0;
+  Vector x;        ///< [m]
+  double V_0 = 0;  ///< volume at the start [m^3]
+  double m_s = 0;  ///< mass of the solid, for ever the same [kg]
+
+  Vector v;                 ///< [m/s]
+  Matrix C;                 ///< affine velocity [1/s]
+  Matrix grad_v;            ///< [1/s]; the same as C if gradients are moments
+  double J = 1;             ///< V / V_0
+  Matrix b_E = identity();  ///< elastic left Cauchy-Green strain
+  double J_P = 1;           ///< plastic part of J
+  Matrix tau;               ///< Kirchhoff stress of the mixture [Pa]
+  double theta = 0;         ///< [C]
+  double theta_peak = 0;    ///< highest theta so far [C]
+  Vector grad_theta;        ///< [C/m]
+  double m_w = 0;           ///< mass of water [kg]
+  Vector q;                 ///< flux of water relative to the solid [kg/(m^2 s)]
+  Vector Q_scattered;       ///< V q, as the last scatter knew it [kg m/s]
+  double nu = 0;            ///< gas made, per initial volume [mol/m^3]
+  double c = 1;             ///< leavener left, as a share
+
+  double V() const { return J * V_0; }
+  double mass() const { return m_s + m_w; }
+  Vector Q() const { return V() * q; }                    ///< momentum of the water relative to the solid [kg m/s]
+  double warmth() const { return std::max(theta, 0.0); }  ///< below 0 C water stays where it is
+  double div_v() const { return trace(grad_v); }
+};
+
+}  // namespace bake::textbook

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// What is baked, and by which form of each equation. SI units, temperatures in degrees Celsius.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "reference/textbook/algebra.h"
+
+namespace bake::textbook {
+
+/// `published` is an equation as it is printed in [Ding19], `standard` the one that the project holds to be right.
+enum class Form { standard, published };
+enum class Kernel { quadratic, cubic };
+/// How grad w is taken: `spline` is the derivative of the weight, as in [Ding19]; `moments` is D^-1 w r.
+enum class Gradient { moments, spline };
+enum class Transfer { apic, pic, flip };
+enum class HeatStep { forward_euler, backward_euler };
+enum class Norm { distance, quadratic };
+enum class Rule { open, sticky, slip, separating };
+
+inline constexpr double k_gas_constant = 8.314;       ///< R [J/(mol K)]
+inline constexpr double k_zero_celsius = 273.15;      ///< [K]
+inline constexpr double k_one_atmosphere = 101325.0;  ///< [Pa]
+
+struct Material {
+  double density = 0;           ///< of the mixture at the start, water included [kg/m^3]
+  double initial_porosity = 0;  ///< n_0 [1]
+  double s_0 = 0;               ///< saturation at the start [1]
+  double theta_0 = 0;           ///< temperature at the start [C]
+  // elasticity
+  double young_modulus = 0;  ///< E [Pa]
+  double poisson_ratio = 0;  ///< nu [1]
+  // heat
+  double alpha_s = 0;  ///< heat capacity of the solid per mass [J/(kg K)]
+  double kappa = 0;    ///< conductivity [W/(m K)]
+  double alpha_l = 0;  ///< linear thermal expansion [1/K]
+  // water
+  double rho_w = 0;   ///< intrinsic density of water [kg/m^3]
+  double K = 0;       ///< Fick's constant [m^2/(s K)]
+  double beta_w = 0;  ///< evaporation [kg/(m^2 s K)]
+  double c_hat = 0;   ///< water pressure per saturation [Pa]
+  // plasticity: fig. 8
+  double theta[4] = {}, tau_y[4] = {}, eta[4] = {};  ///< [C], [Pa], [Pa s]
+  // leavening
+  double alpha_g = 0, theta_r = 0, delta_theta = 1;                 ///< [mol/(kg s)], [C], [K]
+  double leavener_total = std::numeric_limits<double>::infinity();  ///< [mol/m^3]
+
+  double lambda() const { return young_modulus * poisson_ratio / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio)); }
+  double mu() const { return young_modulus / (2 * (1 + poisson_ratio)); }
+  double bulk() const { return young_modulus / (3 * (1 - 2 * poisson_ratio)); }
+};
+
+struct Recipe {
+  bool motion = false, heat = false, water = false, elasticity = false, plasticity = false, leavening = false;
+  std::vector<Material> materials;
+
+  double dx = 0;          ///< [m]
+  Vector low;             ///< corner of the domain, a node [m]
+  int cells[3] = {};      ///< of the domain
+  Rule faces[3][2] = {};  ///< lower and upper face of each axis
+  double face_friction = 0;
+  Kernel kernel = Kernel::quadratic;
+  Gradient gradient = Gradient::moments;
+
+  Transfer transfer = Transfer::apic;
+  double flip_blend = 0.95;
+  Vector gravity;            ///< [m/s^2]
+  double inertia_scale = 1;  ///< inertial mass per mass
+
+  HeatStep heat_step = HeatStep::forward_euler;
+  Form exchange_form = Form::standard, expansion_form = Form::standard, water_form = Form::standard, leavening_form = Form::standard,
+       porosity_form = Form::standard, surface_form = Form::standard;
+  Norm norm = Norm::distance;
+  double alpha_w = 0;                            ///< heat capacity of water per mass [J/(kg K)]
+  double latent_heat = 0;                        ///< L_v [J/kg]
+  double reference_pressure = k_one_atmosphere;  ///< p_ref [Pa]
+};
+
+/// A rigid thing that touches dough, at one moment.
+struct Solid {
+  std::function<double(const Vector&)> distance;  ///< signed, negative inside [m]
+  std::function<Vector(const Vector&)> normal;    ///< outward, of length 1
+  std::function<Vector(const Vector&)> velocity;  ///< of the solid [m/s]
+  Rule rule = Rule::separating;
+  double friction = 0;
+  bool is_grip = false;              ///< holds what is inside it: no surface of its own
+  std::optional<double> theta = {};  ///< [C]; a collider without it passes no heat
+  double beta = 0;                   ///< [W/(m^2 K)]
+};
+
+struct Air {
+  double beta = 0;   ///< [W/(m^2 K)]
+  double theta = 0;  ///< theta_out [C]
+  double s_out = 0;  ///< saturation that its humidity would keep
+};
+
+/// What the dough stands in during one step.
+struct Surroundings {
+  Air air;
+  std::vector<Solid> solids;
+};
+
+}  // namespace bake::textbook

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "reference/textbook/surface.h"
+
+#include <algorithm>
+
+namespace bake::textbook {
+
+namespace {
+
+/// A number per node; zero outside the grid.
+struct Field {
+  const Grid& grid;
+  std::vector<double> values = std::vector<double>(grid.count(), 0);
+  double& operator[](const Index& i) { return values[grid.number(i)]; }
+  double operator()(const Index& i) const { return grid.has(i) ? values[grid.number(i)] : 0; }
+};
+
+/// sum over the 27 nodes around i of weight[0][dx] weight[1][dy] weight[2][dz] field
+double around(const Field& field, const Index& i, const double (&weight)[3][3]) {
+  double sum = 0;
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b)
+      for (int c = 0; c < 3; ++c) sum += weight[0][a] * weight[1][b] * weight[2][c] * field({i[0] + a - 1, i[1] + b - 1, i[2] + c - 1});
+  return sum;
+}
+
+double blurred(const Field& field, const Index& i) {
+  constexpr double k_weights[3][3] = {{0.25, 0.5, 0.25}, {0.25, 0.5, 0.25}, {0.25, 0.5, 0.25}};
+  return around(field, i, k_weights);
+}
+
+Vector gradient(const Field& psi, const Index& i) {
+  Vector g;
+  for (int axis = 0; axis < 3; ++axis) {
+    double weight[3][3] = {{0.125, 0.75, 0.125}, {0.125, 0.75, 0.125}, {0.125, 0.75, 0.125}};
+    weight[axis][0] = -1, weight[axis][1] = 0, weight[axis][2] = 1;
+    g[axis] = around(psi, i, weight) / (2 * psi.grid.dx());
+  }
+  return g;
+}
+
+/// Faces of the domain are mirrors: node i and its images in all faces that are at most three nodes away.
+double mirrored_volume(const Grid& grid, Index i, std::size_t axis = 0) {
+  if (axis == 3) return grid.has(i) ? grid[i].volume : 0;
+  double sum = mirrored_volume(grid, i, axis + 1);
+  const int here = i[axis];
+  for (const int face : grid.faces(axis)) {
+    if (std::abs(here - face) > 3) continue;
+    i[axis] = 2 * face - here;
+    sum += mirrored_volume(grid, i, axis + 1);
+  }
+  return sum;
+}
+
+/// The first collider within `reach` of x that faces the surface there (outward normal n, if known).
+const Solid* covering(const Surroundings& surroundings, const Vector& x, const Vector* n, double reach) {
+  for (const Solid& solid : surroundings.solids) {
+    if (solid.is_grip || solid.distance(x) > reach) continue;
+    if (n && dot(solid.normal(x), *n) > -0.5) continue;  // the surface looks elsewhere
+    return &solid;
+  }
+  return nullptr;
+}
+
+/// beta and theta behind a surface: of the solid that covers it (none if it passes no heat), or else of the air.
+struct Behind {
+  double beta, theta;
+  Behind(const Solid* solid, const Air& air)
+      : beta(!solid         ? air.beta
+             : solid->theta ? solid->beta
+                            : 0),
+        theta(!solid ? air.theta : solid->theta.value_or(0)) {}
+};
+
+}  // namespace
+
+void measure_surface(const Surroundings& surroundings, Grid& grid) {
+  constexpr double k_no_dough = 1e-3;
+  const double dx = grid.dx();
+  Field phi{grid}, smooth{grid}, psi{grid}, free{grid}, exchange{grid}, source{grid};
+  grid.for_each([&](const Index& i, const Node&) { phi[i] = mirrored_volume(grid, i) / (dx * dx * dx); });
+  grid.for_each([&](const Index& i, const Node&) { smooth[i] = blurred(phi, i); });
+  grid.for_each([&](const Index& i, const Node&) { psi[i] = std::clamp((smooth[i] - 0.2) / 0.6, 0.0, 1.0); });
+  grid.for_each([&](const Index& i, const Node&) {
+    if (smooth[i] < k_no_dough) return;
+    const Vector g = gradient(psi, i);
+    if (length(g) == 0) return;
+    const Vector outward = (-1 / length(g)) * g;
+    const double r = length(g) / smooth[i];
+    const Solid* cover = covering(surroundings, grid.position(i), &outward, 2.5 * dx);
+    const Behind behind(cover, surroundings.air);
+    free[i] = cover ? 0 : r;
+    exchange[i] = r * behind.beta;
+    source[i] = r * behind.beta * behind.theta;
+  });
+  grid.for_each([&](const Index& i, Node& node) {
+    if (node.volume == 0) return;
+    node.area = node.volume * blurred(free, i);
+    node.exchange = node.volume * blurred(exchange, i);
+    node.exchange_source = node.volume * blurred(source, i);
+  });
+}
+
+void measure_published_surface(const std::vector<Particle>& particles, const Surroundings& surroundings, Grid& grid) {
+  const auto at_boundary = [&](const Index& i) {
+    if (!(grid[i].volume > 0)) return false;
+    for (std::size_t d = 0; d < 3; ++d)
+      for (const int step : {-1, 1}) {
+        Index next = i;
+        next[d] += step;
+        if (!grid.has(next) || !(grid[next].volume > 0)) return true;
+      }
+    return false;
+  };
+  struct Nearest {
+    double distance = std::numeric_limits<double>::infinity();
+    const Particle* particle = nullptr;
+  };
+  std::vector<Nearest> nearest(grid.count());
+  std::vector<char> boundary(grid.count());
+  grid.for_each([&](const Index& i, const Node&) { boundary[grid.number(i)] = at_boundary(i); });
+  for (const Particle& p : particles)
+    for_each_node(grid, p.x, grid.recipe().kernel, [&](const Index& i, const Overlap& o) {
+      Nearest& best = nearest[grid.number(i)];
+      if (boundary[grid.number(i)] && length(o.r) < best.distance) best = {length(o.r), &p};
+    });
+  std::vector<const Particle*> marked;
+  for (const Nearest& n : nearest)
+    if (n.particle && std::find(marked.begin(), marked.end(), n.particle) == marked.end()) marked.push_back(n.particle);
+  for (const Particle* p : marked) {
+    const double pi = std::acos(-1.0), radius = std::cbrt(3 * p->V() / (4 * pi)), S = pi * radius * radius;
+    for_each_node(grid, p->x, grid.recipe().kernel, [&](const Index& i, const Overlap& o) { grid[i].area += o.w * S; });
+  }
+  grid.for_each([&](const Index& i, Node& node) {
+    if (!(node.area > 0)) return;
+    const Solid* cover = covering(surroundings, grid.position(i), nullptr, grid.dx());
+    const Behind behind(cover, surroundings.air);
+    node.exchange = node.area * behind.beta;
+    node.exchange_source = node.area * behind.beta * behind.theta;
+    if (cover) node.area = 0;
+  });
+}
+
+}  // namespace bake::textbook

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Water that moves through the solid.   [Ding19 Sec. 3.2, 5.5, 6.2]
+#pragma once
+
+#include "reference/textbook/grid.h"
+#include "reference/textbook/particle.h"
+
+namespace bake::textbook {
+
+/// m_i^w = sum w m_w, and what evaporation and saturation need   [Ding19 Eq. 15, 18]
+inline void scatter_water(const Particle& p, const Material& m, const Overlap& o, Node& node) {
+  node.water += o.w * p.m_w;
+  node.water_room += o.w * m.rho_w * p.V();
+  node.evaporability += o.w * m.beta_w * p.warmth() * p.V();
+}
+
+/// + dt V q . grad w; as printed also - dt w m_w div v   [Ding19 Eq. 25]
+/// DEPARTS [Ding19 Eq. 25]: no div v term: as printed half of the water is gone at doubled volume.
+inline void scatter_water_flux(const Particle& p, const Recipe& recipe, double dt, const Overlap& o, Node& node) {
+  node.water_flux += dt * p.V() * dot(p.q, o.grad_w);
+  if (recipe.motion && recipe.water_form == Form::published) node.water_flux -= dt * o.w * p.m_w * p.div_v();
+}
+
+/// The momentum that water carries, + dt V (v_w (x) q) grad w, and the change of its own, - w [V q - (V q)_old]. [Ding19 Eq. 27]
+/// DEPARTS [Ding19 Eq. 27]: no div v term: as printed it takes velocity out of a body that expands.
+inline void scatter_water_momentum(const Particle& p, const Recipe& recipe, double dt, const Overlap& o, Node& node) {
+  const Vector v_w = p.m_w > 0 ? p.v + (p.V() / p.m_w) * p.q : p.v;
+  Vector change = (dt * p.V() * dot(p.q, o.grad_w)) * v_w - o.w * (p.Q() - p.Q_scattered);
+  if (recipe.water_form == Form::published) change = change - (dt * o.w * p.div_v()) * (p.mass() * p.v + p.Q());
+  node.momentum += recipe.inertia_scale * change;
+}
+
+/// m_i^w' = m_i^w + flux - dt A beta_w theta (s - s_out), never below zero; s_i' = m_i^w' / (rho_w V_i)   [Ding19 Eq. 24-25]
+inline void update_water(const Air& air, double dt, Node& node) {
+  if (!(node.water_room > 0)) return;
+  if (!(node.water > 0)) {
+    node.saturation = node.water / node.water_room;
+    return;
+  }
+  const double rate = node.volume > 0 ? node.area * node.evaporability / node.volume : 0;
+  const double s = node.water / node.water_room, after_flux = node.water + node.water_flux;
+  node.evaporated = std::min(dt * rate * (s - air.s_out), std::max(after_flux, 0.0));
+  const double kept = std::max(after_flux - node.evaporated, 0.0);
+  node.moved_water = kept - node.water;
+  node.saturation = kept / node.water_room;
+}
+
+/// What a particle sees of the nodes' water.
+struct SeenWater {
+  double ratio = 0;  ///< sum w dm_i / m_i^w
+  Vector grad_s;     ///< [1/m]
+
+  void add(const Node& node, const Overlap& o) {
+    if (node.water > 0) ratio += o.w * node.moved_water / node.water;
+    grad_s += node.saturation * o.grad_w;
+  }
+};
+
+/// m_w *= 1 + sum w dm_i / m_i^w;  q = - K theta rho_w s grad s, rho_w s = m_w / V   [Ding19 Eq. 19, 20, 22]
+/// DEPARTS [Ding19 Eq. 20]: the volume is that of the new time.
+inline void take_water(const SeenWater& seen, const Material& m, Particle& p) {
+  p.m_w *= 1 + seen.ratio;
+  p.q = (-m.K * p.warmth() * p.m_w / p.V()) * seen.grad_s;
+}
+
+/// J p_water = J c_hat (s - s_0)   [Ding19 Eq. 14]
+inline double water_pressure(const Particle& p, const Material& m) {
+  const double s = p.m_w / (m.rho_w * p.V());
+  return p.J * m.c_hat * (s - m.s_0);
+}
+
+}  // namespace bake::textbook
