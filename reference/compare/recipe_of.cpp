@@ -128,6 +128,7 @@ textbook::Surroundings surroundings_of(const Scene& scene, double time_s) {
     s.solids.push_back(solid_at(collider, time_s));
     s.solids.back().rule = plain(collider.contact);
     s.solids.back().friction = collider.friction;
+    s.solids.back().expels = collider.expels;
     s.solids.back().beta = collider.exchange_W_per_m2K;
   }
   for (const Grip& grip : scene.grips) {

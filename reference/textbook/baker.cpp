@@ -35,7 +35,7 @@ void Baker::add(const Beginning& b) {
 void Baker::step(double dt, const Surroundings& surroundings) {
   scatter(dt);
   update_nodes(dt, surroundings);
-  gather(dt);
+  gather(dt, surroundings);
 }
 
 void Baker::scatter(double dt) {
@@ -87,7 +87,7 @@ void Baker::update_nodes(double dt, const Surroundings& surroundings) {
   if (recipe_.heat && recipe_.heat_step == HeatStep::backward_euler) conduct_implicitly(particles_, dt, grid_);
 }
 
-void Baker::gather(double dt) {
+void Baker::gather(double dt, const Surroundings& surroundings) {
   const double D = second_moment(recipe_.kernel, recipe_.dx);
   std::vector<Particle> stay;
   for (Particle& p : particles_) {
@@ -106,6 +106,7 @@ void Baker::gather(double dt) {
     if (recipe_.elasticity) p.b_E = trial_strain(p, dt);
     if (recipe_.plasticity) return_mapping(recipe_, m, dt, p);
     if (recipe_.leavening) react(m, dt, p);
+    if (recipe_.motion) expel(recipe_, surroundings, p.x, p.v);
     update_stress(p);
     if (!leaves(recipe_, p.x)) stay.push_back(p);
   }

@@ -40,7 +40,7 @@ class Baker {
  private:
   void scatter(double dt);
   void update_nodes(double dt, const Surroundings&);
-  void gather(double dt);
+  void gather(double dt, const Surroundings&);
   void update_stress(Particle&) const;
   const Material& material(const Particle& p) const { return recipe_.materials[static_cast<std::size_t>(p.material)]; }
 

@@ -49,6 +49,16 @@ inline std::optional<double> held_temperature(const Recipe& recipe, const Surrou
   return std::nullopt;
 }
 
+/// A particle inside a solid that expels is put on its surface, by at most dx in a step, and feels the contact itself.
+inline void expel(const Recipe& recipe, const Surroundings& surroundings, Vector& x, Vector& v) {
+  for (const Solid& solid : surroundings.solids) {
+    const double depth = -solid.distance(x);
+    if (!solid.expels || depth <= 0) continue;
+    touch_solid(solid, x, v);
+    x += std::min(depth, recipe.dx) * solid.normal(x);
+  }
+}
+
 /// A particle never leaves the domain: it is held at a closed face. Returns whether it left through an open one.
 inline bool leaves(const Recipe& recipe, Vector& x) {
   bool left = false;

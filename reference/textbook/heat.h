@@ -36,10 +36,11 @@ inline void scatter_expansion(const Particle& p, const Recipe& recipe, const Mat
   node.heat_change -= dt * o.w * p.V_0 * thermal_stress_per_degree(recipe, m) * theta * p.div_v();
 }
 
-/// + dt alpha_w theta V q . grad w: water brings its heat with it.
+/// + dt alpha_w theta V q . grad w: water brings its heat with it; what the printed div v term of (25) takes away, takes it along.
 /// DEPARTS [Ding19 Eq. 9]: printed for the mixture's own motion; relative to the solid, moving water carries heat.
 inline void scatter_carried_heat(const Particle& p, const Recipe& recipe, double dt, const Overlap& o, Node& node) {
   node.heat_change += dt * recipe.alpha_w * p.theta * p.V() * dot(p.q, o.grad_w);
+  if (recipe.motion && recipe.water_form == Form::published) node.heat_change -= dt * o.w * recipe.alpha_w * p.theta * p.m_w * p.div_v();
 }
 
 /// theta_i' = (content + change - latent + dt A beta theta_out) / (c_i' + dt A beta): exchange is implicit at the node. c_i' knows

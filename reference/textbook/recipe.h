@@ -86,6 +86,7 @@ struct Solid {
   std::function<Vector(const Vector&)> velocity;  ///< of the solid [m/s]
   Rule rule = Rule::separating;
   double friction = 0;
+  bool expels = false;               ///< also moves particles out, one by one
   bool is_grip = false;              ///< holds what is inside it: no surface of its own
   std::optional<double> theta = {};  ///< [C]; a collider without it passes no heat
   double beta = 0;                   ///< [W/(m^2 K)]

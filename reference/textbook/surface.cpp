@@ -39,13 +39,13 @@ Vector gradient(const Field& psi, const Index& i) {
   return g;
 }
 
-/// Faces of the domain are mirrors: node i and its images in all faces that are at most three nodes away.
+/// Faces of the domain are mirrors: node i and its images in all faces that are at most four nodes away.
 double mirrored_volume(const Grid& grid, Index i, std::size_t axis = 0) {
   if (axis == 3) return grid.has(i) ? grid[i].volume : 0;
   double sum = mirrored_volume(grid, i, axis + 1);
   const int here = i[axis];
   for (const int face : grid.faces(axis)) {
-    if (std::abs(here - face) > 3) continue;
+    if (std::abs(here - face) > 4) continue;
     i[axis] = 2 * face - here;
     sum += mirrored_volume(grid, i, axis + 1);
   }

@@ -101,7 +101,8 @@ Vector3 Contacts::velocity_beside(const Present& p, const Point& x, const Vector
   const Vector3 wall = p.pose.velocity_at(x);
   const Rule rule = p.contact->rule;
   if (rule == Rule::sticky || rule == Rule::grip) return wall;
-  return wall + contact(v - wall, p.contact->scripted.normal(p.pose, x), false, rule == Rule::separating, p.contact->friction);
+  const bool separating = rule == Rule::separating;
+  return wall + contact(v - wall, p.contact->scripted.normal(p.pose, x), false, separating, separating ? p.contact->friction : 0);
 }
 
 bool Contacts::push_out(Point& x, Vector3& v) const {

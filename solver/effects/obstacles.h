@@ -8,12 +8,10 @@ namespace bake {
 
 class Obstacles {
  public:
+  virtual ~Obstacles() = default;
   /// Puts a particle that is inside a solid onto its surface and applies the contact rule to its velocity. Returns whether it
   /// was inside.
   virtual bool push_out(Point& x, Vector3& v) const = 0;
-
- protected:
-  ~Obstacles() = default;
 };
 
 }  // namespace bake

@@ -125,6 +125,8 @@ struct Water {
       if (k.published) {
         const auto div = step.dt_next * (p[field::C][0] + p[field::C][4] + p[field::C][8]);
         to.value(channel::water_change) -= p[field::m_w] * div;
+        if constexpr (P::template has<field::Temperature>)  // with its heat
+          to.value(channel::heat_change) -= k.heat * p[field::theta] * p[field::m_w] * div;
         for (int i = 0; i < 3; ++i) to.value(channel::momentum, i) -= k.inertia * (p.mass() * p[field::v][i] + p[field::Q][i]) * div;
       }
     }

@@ -19,6 +19,9 @@ namespace bake {
 inline constexpr int k_block_nodes = 64;
 inline constexpr int k_tile_side = 8;
 inline constexpr int k_tile_nodes = 512;
+/// Nodes beyond a face of the domain into which dough is mirrored for the measure of its surface: dough reaches the first, whose area
+/// depends on the volume of three more.
+inline constexpr int k_mirrored = 4;
 
 /// Node of a block, 0..63, from its coordinates 0..3.
 constexpr int node_in_block(int x, int y, int z) { return (x * 4 + y) * 4 + z; }
@@ -94,7 +97,7 @@ struct ActiveBlocks {
     }
     return slot;
   }
-  /// A home's particles reach its nodes -1 to 6; the images of those, up to three nodes beyond a face (solver/grid/surface.cpp), may
+  /// A home's particles reach its nodes -1 to 6; the images of those, up to k_mirrored nodes beyond a face (solver/grid/surface.cpp), may
   /// lie further than one block away.
   void make_mirrored(const BlockIndex& home, const Lattice& lattice) {
     const int first[3] = {4 * home.x, 4 * home.y, 4 * home.z};
@@ -102,8 +105,8 @@ struct ActiveBlocks {
     bool more = false;
     for (int d = 0; d < 3; ++d) {
       const int low_face = static_cast<int>(lattice.low_face()) - first[d], high_face = static_cast<int>(lattice.high_face(d)) - first[d];
-      if (low_face + 3 >= -1) low[d] = std::min(-1, (low_face - 3) >> 2);
-      if (high_face - 3 <= 6) high[d] = std::max(1, (high_face + 3) >> 2);
+      if (low_face + k_mirrored >= -1) low[d] = std::min(-1, (low_face - k_mirrored) >> 2);
+      if (high_face - k_mirrored <= 6) high[d] = std::max(1, (high_face + k_mirrored) >> 2);
       more |= low[d] < -1 || high[d] > 1;
     }
     if (!more) return;

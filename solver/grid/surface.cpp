@@ -83,9 +83,6 @@ struct NodeIndex {
   int at[3];
 };
 
-/// Nodes beyond a face whose volume is mirrored: dough reaches the first, whose area depends on the volume of three more.
-constexpr int k_mirrored = 4;
-
 /// Faces of the domain are mirrors, not surfaces: the volume of the mirrored dough is added.
 template <class Real, class VolumeAt>
 Real mirrored(NodeIndex n, int axis, const Lattice& lattice, VolumeAt volume_at) {

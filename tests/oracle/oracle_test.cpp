@@ -118,15 +118,24 @@ saturation = 0.1
 [[collider]]
 shape = { box = { centre_m = [0.02, 0.01, 0.19], half_extents_m = [0.3, 0.3, 0.11] } }
 contact = "slip"
+friction = 0.3
 until_s = 0.01
 [[collider]]
 shape = { box = { centre_m = [0.02, 0.01, -0.18], half_extents_m = [0.3, 0.3, 0.09] } }
 contact = "slip"
 from_s = 0.02
 )";
+  const std::string knife = R"(
+[[collider]]
+shape = { box = { centre_m = [0.023, 0.011, 0.317], half_extents_m = [0.031, 0.3, 0.3] } }
+expels = true
+friction = 0.2
+motion = [{ time_s = 0 }, { time_s = 0.1, position_m = [0, 0, -0.3] }]
+)";
   std::vector<RandomScene> all;
   for (const std::string kernel : {"quadratic", "cubic"})
     for (RandomScene r : std::vector<RandomScene>{
+             {.name = "cut", .tables = knife},
              {.name = "held", .tables = held},
              {.name = "held_backward_euler", .heat = "integrator = \"backward_euler\"", .tables = held},
              {.name = "poured", .tables = poured},
