@@ -35,7 +35,7 @@ class StepLimits {
  private:
   TimeSettings settings_;
   double dx_, gravity_;
-  double diffusion_;       ///< what dt D / dx^2 may be
+  double diffusion_;      ///< what dt D / dx^2 may be
   double heat_factor_;    ///< times forward Euler's limit
   double pouring_speed_;  ///< [m/s]
 };
