@@ -118,14 +118,20 @@ struct Plasticity {
     return clamp(n, lanes<Real>(Real(k_no_pores)), lanes<Real>(Real(0.97)));
   }
 
+  /// Watches solve() and sees nothing; tests count iterations with one of their own.
+  struct Unwatched {
+    BAKE_INLINE void operator()(auto) const {}
+  };
+
   /// Solves the viscous return. With z = 2 Lambda the mapped state is p = p_tr / (1 + a K z), s = s_tr / (1 + 3 mu z), and
   /// with r(z) = sqrt(a p^2 + q^2) the two laws are
   ///     distance:   r (1 - (eta/dt) z) = tau_y        written as  tau_y / r + (eta/dt) z - 1 = 0
   ///     quadratic:  r^2 = tau_y^2 + (eta/dt) z / 2    written as  1 / r - (tau_y^2 + (eta/dt) z / 2)^(-1/2) = 0
   /// 1/r is a power mean of linear functions with exponent -2, hence concave, and so are both left sides: Newton from
-  /// below never overshoots and needs no bracket. Returns z; lanes that are not `flowing` keep 0.
-  template <class V, class Mask, class Real>
-  BAKE_INLINE static V solve(V ap2, V q2, V aK, Real mu3, V tau_y, V eta_dt, Mask flowing, bool quadratic) {
+  /// below never overshoots and needs no bracket. Returns z; lanes that are not `flowing` keep 0. `watch` is called in every
+  /// iteration with the lanes that still move.
+  template <class V, class Mask, class Real, class Watch = Unwatched>
+  BAKE_INLINE static V solve(V ap2, V q2, V aK, Real mu3, V tau_y, V eta_dt, Mask flowing, bool quadratic, Watch watch = {}) {
     constexpr Real k_tiny = sizeof(Real) == 4 ? Real(1e-18) : Real(1e-100);
     constexpr Real k_close = sizeof(Real) == 4 ? Real(3e-4) : Real(1e-8);  // of a step; convergence is quadratic
     constexpr int k_most = sizeof(Real) == 4 ? 40 : 60;
@@ -137,6 +143,7 @@ struct Plasticity {
     const V z_most = lanes<Real>(Real(1e12) / mu3);
     Mask active = flowing;
     for (int iteration = 0; iteration < k_most; ++iteration) {
+      watch(active);
       const V pa = 1 / (1 + aK * z), qa = 1 / (1 + mu3 * z);
       const V A = ap2 * pa * pa, B = q2 * qa * qa;
       const V r2 = A + B + k_tiny, r = sqrt(r2);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "solver/effects/plasticity.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 
 #include "solver/effects/physics.h"
@@ -26,10 +29,10 @@ long double excess(const Trial& t, long double z, bool quadratic) {
   return r * (1 - t.eta_dt * z) - t.tau_y;
 }
 
-/// The solution by bisection of the logarithm of z.
+/// The solution by bisection of the logarithm of z: 100 halvings of 90 decades leave 2e-28 of it.
 long double brute_force(const Trial& t, bool quadratic) {
   long double low = 1e-45L, high = 1e45L;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 100; ++i) {
     const long double middle = std::sqrt(low * high);
     (excess(t, middle, quadratic) > 0 ? low : high) = middle;
   }
@@ -42,29 +45,89 @@ long double shrinkage(const Trial& t, long double z) {
   return std::sqrt((t.ap2 * pa * pa + t.q2 * qa * qa) / (static_cast<long double>(t.ap2) + t.q2));
 }
 
+/// r of the mapped state [Pa].
+double left_over(const Trial& t, double z) { return static_cast<double>(shrinkage(t, z)) * std::sqrt(t.ap2 + t.q2); }
+
 double cap_of(double n) {
   const double ln = std::log(n);
   return 9 / (4 * ln * ln * (3.5 * n + 1));
 }
 
-/// Random trials beyond yield, edges among them. `most`: largest ratio of trial to yield.
-std::vector<Trial> trials(int count, double most, double none) {
-  std::mt19937_64 random(11);
+/// Where a function with one minimum has it, by golden sections: 60 of them leave 3e-13 of the interval.
+template <class Function>
+long double lowest(long double low, long double high, Function f) {
+  constexpr long double k_golden = 0.618033988749894848205L;
+  long double left = high - k_golden * (high - low), right = low + k_golden * (high - low);
+  long double f_left = f(left), f_right = f(right);
+  for (int i = 0; i < 60; ++i) {
+    if (f_left < f_right) {
+      high = right, right = left, f_right = f_left;
+      f_left = f(left = high - k_golden * (high - low));
+    } else {
+      low = left, left = right, f_left = f_right;
+      f_right = f(right = low + k_golden * (high - low));
+    }
+  }
+  return (low + high) / 2;
+}
+
+/// Minimiser over (sqrt(a) p, q) of 1/2 (tau_tr - tau) : C^-1 : (tau_tr - tau) + (dt/eta) f^2/2, with f the overstress of the norm
+/// and as a hard constraint f = 0 without viscosity.   [Ding19 Sec. 6.5]
+std::array<double, 2> least_functional(const Trial& t, bool quadratic) {
+  const long double p_tr = std::sqrt(static_cast<long double>(t.ap2)), q_tr = std::sqrt(static_cast<long double>(t.q2));
+  const long double tau_y = t.tau_y;
+  const auto value = [&](long double r, long double angle) {
+    const long double p = r * std::sin(angle) - p_tr, q = r * std::cos(angle) - q_tr;
+    const long double f = quadratic ? r * r - tau_y * tau_y : r - tau_y;
+    return p * p / (2 * t.aK) + q * q / (2 * t.mu3) + (t.eta_dt > 0 ? f * f / (2 * t.eta_dt) : 0);
+  };
+  const auto angle_at = [&](long double r) { return lowest(0, M_PI_2, [&](long double angle) { return value(r, angle); }); };
+  const long double r =
+      t.eta_dt > 0 ? lowest(tau_y, std::hypot(p_tr, q_tr), [&](long double at) { return value(at, angle_at(at)); }) : tau_y;
+  return {static_cast<double>(r * std::sin(angle_at(r))), static_cast<double>(r * std::cos(angle_at(r)))};
+}
+
+/// Random trials up to a hundred times the yield stress, where a minimum is found to half the digits.
+std::vector<Trial> moderate_trials(int count, bool quadratic) {
+  std::mt19937_64 random(12);
   std::uniform_real_distribution<double> uniform(0, 1);
   const auto power = [&](double low, double high) { return std::pow(10, low + (high - low) * uniform(random)); };
   std::vector<Trial> all;
-  while (static_cast<int>(all.size()) < count) {
+  for (int i = 0; i < count; ++i) {
+    const double mu = power(2, 5), yield = power(0, 3), trial = yield * power(0.01, 2), angle = M_PI / 2 * uniform(random);
+    Trial t{std::pow(trial * std::sin(angle), 2),
+            std::pow(trial * std::cos(angle), 2),
+            cap_of(0.01 + 0.9 * uniform(random)) * mu * power(-0.5, 1),
+            3 * mu,
+            yield,
+            i % 4 == 0 ? 0 : power(-4, 4) * 3 * mu};
+    if (quadratic) t.eta_dt *= yield * yield;
+    all.push_back(t);
+  }
+  return all;
+}
+
+/// Random trials beyond yield, edges among them: no pores and all pores, pure pressure and pure shear, no yield stress, no
+/// viscosity and an infinite one, 1e8 times the yield stress.
+std::vector<Trial> trials(int count) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const auto power = [&](double low, double high) { return std::pow(10, low + (high - low) * uniform(random)); };
+  const auto either = [&](double first, double second) { return uniform(random) < 0.5 ? first : second; };
+  std::vector<Trial> all;
+  for (int i = 0; i < count; ++i) {
     Trial t;
-    const double n = all.size() % 5 == 0 ? 1e-6 : all.size() % 5 == 1 ? 0.97 : 1e-4 + 0.96 * uniform(random);
+    const double n = i % 5 == 0 ? either(1e-6, 1e-30) : i % 5 == 1 ? either(0.97, 0.999) : 1e-4 + 0.96 * uniform(random);
     const double mu = power(1, 6), K = mu * power(-0.5, 2);
     t.aK = cap_of(n) * K;
     t.mu3 = 3 * mu;
-    const double yield = power(0, 4), over = std::pow(10, std::log10(most) * std::pow(uniform(random), 2)) * (1 + 1e-3);
-    const double angle = all.size() % 7 == 0 ? 0 : all.size() % 7 == 1 ? M_PI / 2 : M_PI / 2 * uniform(random);
+    const double yield = i % 11 == 1 ? 1e-6 : power(0, 4);
+    const double over = i % 17 == 0 ? 1e8 : std::pow(10, 8 * std::pow(uniform(random), 2)) * (1 + 1e-3);
+    const double angle = i % 7 == 0 ? 0 : i % 7 == 1 ? M_PI / 2 : M_PI / 2 * uniform(random);
     t.ap2 = std::pow(yield * over * std::sin(angle), 2);
     t.q2 = std::pow(yield * over * std::cos(angle), 2);
-    t.tau_y = all.size() % 11 == 0 ? 0 : yield;
-    t.eta_dt = all.size() % 3 == 0 ? 0 : all.size() % 13 == 1 ? none : power(0, 6);
+    t.tau_y = i % 11 == 0 ? 0 : yield;
+    t.eta_dt = i % 3 == 0 ? 0 : i % 13 == 1 ? 1e30 : power(-6, 12);
     all.push_back(t);
   }
   return all;
@@ -74,14 +137,32 @@ template <class Real>
 class ReturnMapping : public testing::Test {
  public:
   using V = Lanes<Real>;
-  static constexpr double k_most = sizeof(Real) == 4 ? 1e6 : 1e8;
-  static constexpr double k_infinite_viscosity = 1e30;
+  struct Solved {
+    double z;
+    int iterations;
+  };
 
-  static double solve(const Trial& t, bool quadratic) {
-    const V all_flow = lanes<Real>(1);
-    const auto pack = [](double x) { return lanes<Real>(static_cast<Real>(x)); };
-    return static_cast<double>(Plasticity::solve<V>(pack(t.ap2), pack(t.q2), pack(t.aK), static_cast<Real>(t.mu3), pack(t.tau_y),
-                                                    pack(t.eta_dt), all_flow > lanes<Real>(0), quadratic)[0]);
+  /// Solves W trials side by side, as the solver does.
+  static std::vector<Solved> solve(const std::vector<Trial>& all, bool quadratic) {
+    constexpr std::size_t W = k_width<Real>;
+    std::vector<Solved> solved;
+    for (std::size_t first = 0; first < all.size(); first += W) {
+      V ap2, q2, aK, tau_y, eta_dt, z[W];
+      LaneMask<Real> iterations[W];
+      const std::size_t many = std::min(W, all.size() - first);
+      for (std::size_t l = 0; l < W; ++l) {
+        const Trial& t = all[first + l % many];
+        ap2[l] = static_cast<Real>(t.ap2), q2[l] = static_cast<Real>(t.q2), aK[l] = static_cast<Real>(t.aK);
+        tau_y[l] = static_cast<Real>(t.tau_y), eta_dt[l] = static_cast<Real>(t.eta_dt);
+      }
+      for (std::size_t l = 0; l < many; ++l) {  // 3 mu is one number for all lanes, so each lane is looked at in its own turn
+        iterations[l] = LaneMask<Real>{};
+        z[l] = Plasticity::solve<V>(ap2, q2, aK, static_cast<Real>(all[first + l].mu3), tau_y, eta_dt, ap2 + q2 > tau_y * tau_y, quadratic,
+                                    [&](auto active) { iterations[l] -= active; });
+        solved.push_back({static_cast<double>(z[l][l]), static_cast<int>(iterations[l][l])});
+      }
+    }
+    return solved;
   }
   /// The trial as the solver sees it.
   static Trial rounded(const Trial& t) {
@@ -91,27 +172,40 @@ class ReturnMapping : public testing::Test {
   /// Newton stops when a step is below 3e-4 (1e-8) of z; convergence being quadratic, the next would be 1e-7 (1e-16): what
   /// remains is round-off of some twenty operations, and its effect on r (which falls no faster than 1/z) is no larger.
   static constexpr double k_bound = 64 * static_cast<double>(std::numeric_limits<Real>::epsilon());
+  /// Newton's iterations. The first starts from nothing; on the quadratic norm's root z may grow only some threefold at a time
+  /// over up to sixteen decades.
+  static constexpr int most_iterations(bool quadratic) { return quadratic ? 38 : 16; }
 
   static void expect_brute_force(bool quadratic) {
-    int flowing = 0;
-    for (const Trial& exact : trials(6000, k_most, k_infinite_viscosity)) {
+    std::vector<Trial> flowing;
+    for (const Trial& exact : trials(24000)) {
       const Trial t = rounded(exact);
-      if (!(t.ap2 + t.q2 > t.tau_y * t.tau_y)) continue;
-      ++flowing;
-      const double z = solve(t, quadratic);
+      if (t.ap2 + t.q2 > t.tau_y * t.tau_y) flowing.push_back(t);
+    }
+    ASSERT_GE(flowing.size(), 20000u);
+    const std::vector<Solved> solved = solve(flowing, quadratic);
+    std::map<int, int> histogram;
+    for (std::size_t i = 0; i < flowing.size(); ++i) {
+      const Trial& t = flowing[i];
+      const double z = solved[i].z;
+      ++histogram[solved[i].iterations];
       ASSERT_TRUE(std::isfinite(z));
       ASSERT_GE(z, 0);
-      if (t.tau_y == 0 && t.eta_dt == 0) {  // nothing resists: no stress is left
-        ASSERT_LE(static_cast<double>(shrinkage(t, z)), sizeof(Real) == 4 ? 1e-5 : 1e-9);
+      const double highest = 1e12 / t.mu3;  // where the solver stops: a share of 1e-12 of the shear is left
+      const long double right = t.tau_y == 0 && t.eta_dt == 0 ? INFINITY : brute_force(t, quadratic);
+      if (right > highest) {  // nothing resists: no stress is left, or a nanopascal in single precision
+        ASSERT_TRUE(z > 0.999 * highest || left_over(t, z) < 2e-9 * (sizeof(Real) == 4)) << "z " << z << " of " << highest;
         continue;
       }
-      const long double right = brute_force(t, quadratic);
       // the state, not z: near the yield surface z itself is the difference of two almost equal numbers
       const double error = static_cast<double>(std::abs(shrinkage(t, z) - shrinkage(t, right)) / shrinkage(t, right));
       ASSERT_LE(error, k_bound) << "ap2 " << t.ap2 << " q2 " << t.q2 << " aK " << t.aK << " 3mu " << t.mu3 << " tau_y " << t.tau_y
                                 << " eta/dt " << t.eta_dt << ": z " << z << " not " << static_cast<double>(right);
     }
-    EXPECT_GE(flowing, 5000);
+    std::string summary;
+    for (const auto& [iterations, cases] : histogram) summary += fmt::format("{}: {}  ", iterations, cases);
+    testing::Test::RecordProperty("cases_by_iterations", summary);
+    EXPECT_LE(histogram.rbegin()->first, most_iterations(quadratic)) << "cases by iterations: " << summary;
   }
 };
 using Reals = testing::Types<float, double>;
@@ -119,6 +213,22 @@ TYPED_TEST_SUITE(ReturnMapping, Reals);
 
 TYPED_TEST(ReturnMapping, DistanceNormFindsWhatBisectionFinds) { TestFixture::expect_brute_force(false); }
 TYPED_TEST(ReturnMapping, QuadraticNormFindsWhatBisectionFinds) { TestFixture::expect_brute_force(true); }
+
+TYPED_TEST(ReturnMapping, TheMappedStressMinimisesThePublishedFunctional) {
+  // Of a functional known to 5e-20 a minimum is known to the square root of that times its condition, here up to 1e7.
+  const double bound = 1e-6 + TestFixture::k_bound;
+  for (const bool quadratic : {false, true}) {
+    std::vector<Trial> all = moderate_trials(200, quadratic);
+    for (Trial& t : all) t = TestFixture::rounded(t);
+    const auto solved = TestFixture::solve(all, quadratic);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto [p, q] = least_functional(all[i], quadratic);
+      const double r = std::hypot(p, q);
+      ASSERT_NEAR(std::sqrt(all[i].ap2) / (1 + all[i].aK * solved[i].z), p, bound * r) << "trial " << i << ", quadratic " << quadratic;
+      ASSERT_NEAR(std::sqrt(all[i].q2) / (1 + all[i].mu3 * solved[i].z), q, bound * r) << "trial " << i << ", quadratic " << quadratic;
+    }
+  }
+}
 
 TYPED_TEST(ReturnMapping, LanesThatDoNotFlowStayAtZero) {
   using V = Lanes<TypeParam>;
