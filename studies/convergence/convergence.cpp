@@ -41,6 +41,7 @@ nlohmann::json table(const std::vector<Measured>& all, bool quick) {
 
 std::string as_markdown(const std::vector<Measured>& all) {
   std::string text =
+      "<!-- SPDX-License-Identifier: MIT. Generated: bake study convergence --out paper writes it anew. -->\n"
       "# Orders of convergence\n\nRelative errors against exact solutions. An order is the least-squares slope of the errors in double "
       "logarithmic scale.\n\n| case | quantity | refined | errors | figure | band | verdict |\n|---|---|---|---|---|---|---|\n";
   for (const Measured& m : all)

@@ -38,6 +38,7 @@ nlohmann::json as_json(const Edge& e) {
 
 std::string as_markdown(const std::vector<Edge>& edges) {
   std::string text =
+      "<!-- SPDX-License-Identifier: MIT. Generated: bake study stability --out paper writes it anew. -->\n"
       "# Where the method breaks, and where the time-step rule stops before it\n\n"
       "Largest step with which nothing grows in 300 steps, over the step that the rule takes. The rule must be safe (above 1) and no more "
       "than three times too careful; backward Euler has no edge to be found.\n\n"

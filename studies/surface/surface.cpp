@@ -47,6 +47,7 @@ nlohmann::json as_json(const std::vector<Areas>& all, bool quick) {
 std::string as_markdown(const std::vector<Areas>& all) {
   const auto& cells = all.front().cells;
   std::string text = fmt::format(
+      "<!-- SPDX-License-Identifier: MIT. Generated: bake study surface --out paper writes it anew. -->\n"
       "# The area that the surface measure finds\n\nArea found over true area, for bodies about two metres across and so many cells in a "
       "metre; "
       "particles on a jittered lattice. The published form is that of Sec. 6.6 of the paper.\n\n| body | form | particles a cell | {} | "
