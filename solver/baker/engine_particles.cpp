@@ -191,10 +191,10 @@ void Engine<Real>::settle(std::vector<Escape<Real>>& escapes) {
     Real x[3];
     const int corner[3] = {4 * block.at.x, 4 * block.at.y, 4 * block.at.z};
     for (int d = 0; d < 3; ++d) {  // a particle may be so fast that it jumped over the blocks at the face
-      Real& x_d = columns[k_position_column + d][e.lane];
+      const Real x_d = columns[k_position_column + d][e.lane];
       const Real inside = std::clamp(x_d, faces.low_face[d] - Real(corner[d]), faces.high_face[d] - Real(corner[d]));
       if (inside != x_d) ++counters_.clamped;
-      x[d] = x_d = inside;
+      x[d] = columns[k_position_column + d][e.lane] = inside;
     }
     homes[i] = find_home(block.at, x);
   }
