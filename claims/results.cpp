@@ -118,8 +118,6 @@ double Results::drift(std::initializer_list<std::pair<const char*, double>> colu
   return worst;
 }
 
-std::span<const Metric> metrics() { return k_metrics; }
-
 const Metric& find_metric(std::string_view name) {
   std::vector<std::string> names;
   for (const Metric& metric : k_metrics) {

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -40,8 +39,6 @@ struct Metric {
   double (*measure)(const Results&);
 };
 
-/// All metrics.
-std::span<const Metric> metrics();
 /// The metric of that name. Throws InputError, with the nearest known name.
 const Metric& find_metric(std::string_view name);
 

@@ -24,6 +24,12 @@ void book_impulse(const Point& x, const Vector3& impulse, Bookings& booked) {
   }
 }
 
+/// Node number `n` of the block whose first node is at `origin`.
+Point node_position(const Point& origin, double dx, int n) {
+  const int x = n / 16, y = n / 4 % 4, z = n % 4;
+  return origin + dx * Vector3{double(x), double(y), double(z)};
+}
+
 /// Every node with mass gets m dv; the sum acts at the block's centre of mass.
 template <class Real>
 void book_gravity(const Real* mass, const Point& origin, double dx, const Vector3& dv, Bookings& booked) {
@@ -306,7 +312,7 @@ void Engine<Real>::book_water(std::size_t slot, Bookings& booked) const {
       add(Entry::remapped_x, -inertia * moved * v[0]);
       add(Entry::remapped_y, -inertia * moved * v[1]);
       add(Entry::remapped_z, -inertia * moved * v[2]);
-      const Point x = origin + lattice_.dx() * Vector3{double(n / 16), double(n / 4 % 4), double(n % 4)};
+      const Point x = node_position(origin, lattice_.dx(), n);
       if (evaporated != 0) book_impulse(x, -inertia * evaporated * v, booked);
     }
   }
@@ -336,7 +342,7 @@ void Engine<Real>::load_surroundings(std::size_t slot, int first, bool at_grip, 
   if (at_grip)
     for (int l = 0; l < k_width<Real>; ++l) {
       const int n = first + l;
-      const Point x = lattice_.origin(active_.at[slot]) + lattice_.dx() * Vector3{double(n / 16), double(n / 4 % 4), double(n % 4)};
+      const Point x = node_position(lattice_.origin(active_.at[slot]), lattice_.dx(), n);
       if (const auto held = contacts_.held_temperature(x)) {
         around.is_held[l] = -1;
         around.held[l] = static_cast<Real>(*held);
@@ -351,7 +357,7 @@ void Engine<Real>::touch_contacts(std::size_t slot, const Real* mass, Real* rows
     if (!(mass[n] > 0)) continue;
     Real* row = rows + n * row_size();
     const Vector3 v{double(row[0]), double(row[1]), double(row[2])};
-    const Point x = origin + lattice_.dx() * Vector3{double(n / 16), double(n / 4 % 4), double(n % 4)};
+    const Point x = node_position(origin, lattice_.dx(), n);
     const Vector3 after = contacts_.velocity_after(x, v);
     for (std::size_t d = 0; d < 3; ++d) row[d] = static_cast<Real>(after[d]);
     book_impulse(x, double(mass[n]) * (after - v), booked);

@@ -59,6 +59,15 @@ void poison(const std::filesystem::path& from, const std::filesystem::path& to, 
   out.commit();
 }
 
+/// The checkpoint of a scene's first 0.02 s.
+void save_one_frame(const Scene& scene, const std::filesystem::path& file) {
+  const auto s = Simulation::begin(scene);
+  ASSERT_TRUE(s->advance(0.02, 0.04));
+  CheckpointWriter out(file, "good", scene.run.precision);
+  s->write(out);
+  out.commit();
+}
+
 template <class Real>
 void expect_named(const char* precision, int column, const char* name) {
   Dough dough = small();
@@ -66,11 +75,7 @@ void expect_named(const char* precision, int column, const char* name) {
   dough.precision = precision;
   const Scene scene = dough.scene();
   const TemporaryFolder folder;
-  const auto s = Simulation::begin(scene);
-  ASSERT_TRUE(s->advance(0.02, 0.04));
-  CheckpointWriter out(folder / "good.h5", "good", scene.run.precision);
-  s->write(out);
-  out.commit();
+  ASSERT_NO_FATAL_FAILURE(save_one_frame(scene, folder / "good.h5"));
   constexpr int W = k_width<Real>;
   const auto columns = static_cast<std::size_t>(make_physics<Real>(scene)->column_count);
   // lane 0 of the third tile
@@ -106,11 +111,7 @@ TEST(ACheckpoint, WithAParticleNowhereIsRefused) {
   Dough dough = small();
   const Scene scene = dough.scene();
   const TemporaryFolder folder;
-  const auto s = Simulation::begin(scene);
-  ASSERT_TRUE(s->advance(0.02, 0.04));
-  CheckpointWriter out(folder / "good.h5", "good", scene.run.precision);
-  s->write(out);
-  out.commit();
+  ASSERT_NO_FATAL_FAILURE(save_one_frame(scene, folder / "good.h5"));
   for (const double nowhere : {std::numeric_limits<double>::quiet_NaN(), -3.0, 1e9}) {
     poison<double>(folder / "good.h5", folder / "bad.h5", scene.run.precision, k_position_column * k_width<double>, nowhere);
     EXPECT_THROW(Simulation::resume(scene, CheckpointReader(folder / "bad.h5")), InputError);
