@@ -8,7 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "solver/io/hdf5.h"
+#include "solver/scene/input_error.h"
 
 namespace bake {
 namespace {
@@ -74,6 +74,35 @@ void write_frame(const std::filesystem::path& path, double time_s, const FrameDa
   for (const auto& column : frame.columns) write_column(out, column);
   out.close();
   file.commit();
+}
+
+FrameReader::FrameReader(const std::filesystem::path& path) : file_(path) {
+  if (!file_.has("VTKHDF/Points") || !file_.has_attribute("VTKHDF", "time_s"))
+    throw InputError(fmt::format("{}: not a frame, allowed: a file that bake run wrote into frames/", path.string()));
+  time_s_ = file_.attribute<double>("VTKHDF", "time_s");
+  particles_ = file_.shape("VTKHDF/Points").at(0);
+}
+
+bool FrameReader::has(const std::string& column) const { return file_.has("VTKHDF/PointData/" + column); }
+
+std::vector<float> FrameReader::positions() const { return file_.table<float>("VTKHDF/Points", 3); }
+
+std::vector<float> FrameReader::column(const std::string& name, std::size_t components) const {
+  if (!has(name)) throw InputError(fmt::format("{}: found no column {}: the effect that makes it is off", file_.path().string(), name));
+  const std::string dataset = "VTKHDF/PointData/" + name;
+  return components == 1 ? file_.array<float>(dataset) : file_.table<float>(dataset, components);
+}
+
+std::vector<std::int64_t> FrameReader::identities() const { return file_.array<std::int64_t>("VTKHDF/PointData/id"); }
+
+std::vector<std::int64_t> FrameReader::rows_by_identity(std::int64_t first, std::size_t count) const {
+  std::vector<std::int64_t> rows(count, -1);
+  const auto ids = identities();
+  for (std::size_t row = 0; row < ids.size(); ++row) {
+    const std::int64_t i = ids[row] - first;
+    if (i >= 0 && i < static_cast<std::int64_t>(count)) rows[static_cast<std::size_t>(i)] = static_cast<std::int64_t>(row);
+  }
+  return rows;
 }
 
 void write_series(const std::filesystem::path& path, const std::vector<SeriesEntry>& entries) {

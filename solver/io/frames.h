@@ -13,6 +13,8 @@
 #include <variant>
 #include <vector>
 
+#include "solver/io/hdf5.h"
+
 namespace bake {
 
 /// One quantity of all particles: `components` numbers per particle (1 scalar, 3 vector, 9 tensor by rows), particle by particle.
@@ -34,6 +36,28 @@ std::string frame_name(int frame);
 /// Writes one frame, whole or not at all, exactly as given (lossless compression). Throws OutputError, and
 /// std::invalid_argument if a column's length is not components x particles.
 void write_frame(const std::filesystem::path& path, double time_s, const FrameData& frame);
+
+/// A frame read back. Particles stand in the order of the file, which differs from frame to frame: `rows_by_identity` tells who is who.
+class FrameReader {
+ public:
+  /// Throws InputError: missing, damaged, or no frame.
+  explicit FrameReader(const std::filesystem::path& path);
+
+  double time_s() const { return time_s_; }
+  std::size_t particles() const { return particles_; }
+  bool has(const std::string& column) const;
+  std::vector<float> positions() const;  ///< x, y, z of each particle [m]
+  /// A column, `components` numbers per particle. Throws InputError if there is none of that name and width.
+  std::vector<float> column(const std::string& name, std::size_t components = 1) const;
+  std::vector<std::int64_t> identities() const;
+  /// Row of each particle first, first + 1, ..., first + count - 1; -1 for those that are not in the frame.
+  std::vector<std::int64_t> rows_by_identity(std::int64_t first, std::size_t count) const;
+
+ private:
+  Hdf5Reader file_;
+  double time_s_;
+  std::size_t particles_;
+};
 
 struct SeriesEntry {
   std::string file;  ///< relative to the series file

@@ -181,6 +181,24 @@ bool Hdf5Reader::has(const std::string& name) const {
   return H5Lexists(file_, name.c_str(), H5P_DEFAULT) > 0;
 }
 
+std::vector<std::string> Hdf5Reader::names(const std::string& group) const {
+  if (!has(group)) throw hdf5_error<InputError>(path_, group, "there is no such group");
+  const auto opened = checked(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose, group);
+  H5G_info_t info{};
+  check(H5Gget_info(opened, &info), group);
+  std::vector<std::string> found(info.nlinks);
+  for (hsize_t i = 0; i < info.nlinks; ++i) {
+    const auto name = [&](char* to, std::size_t size) {
+      return H5Lget_name_by_idx(opened, ".", H5_INDEX_NAME, H5_ITER_INC, i, to, size, H5P_DEFAULT);
+    };
+    const ssize_t length = name(nullptr, 0);
+    check(length < 0 ? -1 : 0, group);
+    found[i].resize(static_cast<std::size_t>(length));
+    name(found[i].data(), found[i].size() + 1);
+  }
+  return found;
+}
+
 Hdf5Handle Hdf5Reader::dataset(const std::string& name) const {
   if (!has(name)) throw hdf5_error<InputError>(path_, name, "there is no such dataset");
   return checked(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, name);

@@ -106,6 +106,8 @@ class Hdf5Reader {
 
   const std::filesystem::path& path() const { return path_; }
   bool has(const std::string& name) const;
+  /// Names of what is in a group, sorted.
+  std::vector<std::string> names(const std::string& group) const;
   /// Type of the array's numbers as stored.
   ElementType stored_type(const std::string& name) const;
   std::vector<std::size_t> shape(const std::string& name) const;

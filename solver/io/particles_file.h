@@ -18,7 +18,8 @@ struct ParticlesFile {
 
 /// Reads datasets `positions` [n, 3], `volumes` [n] and, if there, `material` [n]. Throws InputError naming file and dataset:
 /// missing or damaged file, missing dataset, wrong shape or type, n = 0, position not finite, volume not finite and positive,
-/// negative material.
+/// negative material. A VTKHDF file serves as well, with Points, PointData/volume and PointData/material: a mesh of tetrahedra
+/// whose vertices are the particles, or a frame of another run.
 ParticlesFile read_particles(const std::filesystem::path& path);
 
 }  // namespace bake

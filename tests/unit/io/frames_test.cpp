@@ -7,7 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "solver/io/hdf5.h"
+#include "solver/scene/input_error.h"
 #include "tests/unit/io/files.h"
 
 namespace bake {
@@ -71,6 +71,32 @@ TEST(Frame, NamesSortLikeNumbers) {
   EXPECT_EQ(frame_name(0), "0000.hdf");
   EXPECT_EQ(frame_name(42), "0042.hdf");
   EXPECT_EQ(frame_name(12345), "12345.hdf");
+}
+
+TEST(FrameReader, FindsEveryParticleWhateverTheOrder) {
+  const TemporaryFolder scratch;
+  const std::vector<float> positions{0, 0, 0, 1, 1, 1, 2, 2, 2}, theta{20, 30, 40};
+  const std::vector<std::int64_t> id{12, 10, 13};
+  write_frame(scratch / "0001.hdf", 0.5,
+              {positions, {{"theta", "C", std::span<const float>(theta), 1}, {"id", "1", std::span<const std::int64_t>(id), 1}}});
+  const FrameReader frame(scratch / "0001.hdf");
+  EXPECT_EQ(frame.time_s(), 0.5);
+  EXPECT_EQ(frame.particles(), 3u);
+  EXPECT_EQ(frame.positions(), positions);
+  EXPECT_EQ(frame.column("theta"), theta);
+  EXPECT_EQ(frame.rows_by_identity(10, 4), (std::vector<std::int64_t>{1, -1, 0, 2}));
+  EXPECT_EQ(frame.rows_by_identity(12, 1), (std::vector<std::int64_t>{0}));
+  EXPECT_TRUE(has(message_of<InputError>([&] { frame.column("saturation"); }), "found no column saturation"));
+}
+
+TEST(FrameReader, RefusesWhatIsNoFrame) {
+  const TemporaryFolder scratch;
+  AtomicFile file(scratch / "particles.h5");
+  Hdf5Writer out(file);
+  out.array<double>("volumes", std::vector<double>{1});
+  out.close();
+  file.commit();
+  EXPECT_TRUE(has(message_of<InputError>([&] { FrameReader frame(scratch / "particles.h5"); }), "not a frame"));
 }
 
 TEST(Series, ListsFilesWithExactTimes) {

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Meshes of triangles or tetrahedra with fields at their vertices, as VTKHDF 1.0 files that ParaView and VTK 9.1 open as they are.
+//
+// A mesh of tetrahedra whose vertices are to be particles carries the field `volume` [m^3]; such a file is a particles file, too
+// (see particles_file.h): particle i is vertex i.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bake {
+
+/// A quantity at the vertices: `components` numbers each.
+struct MeshField {
+  std::string name;
+  std::string unit;
+  std::size_t components = 1;
+  std::vector<double> values;
+};
+
+struct Mesh {
+  std::size_t corners = 3;          ///< of a cell: 3 triangles, 4 tetrahedra
+  std::vector<double> points;       ///< x, y, z of each vertex [m]
+  std::vector<std::int64_t> cells;  ///< `corners` vertices each; triangles counter-clockwise from outside, tetrahedra of positive volume
+  std::vector<MeshField> fields;    ///< at the vertices; stored in single precision but for `volume`
+  double time_s = 0;                ///< of the frame that it shows
+
+  std::size_t vertex_count() const { return points.size() / 3; }
+  std::size_t cell_count() const { return cells.size() / corners; }
+  /// The field of that name, or nullptr.
+  const MeshField* find(std::string_view name) const;
+};
+
+/// Writes the mesh whole or not at all. Points are stored in double precision. Throws OutputError, and std::invalid_argument if
+/// lengths do not fit.
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
+
+/// Throws InputError: missing or damaged file, no mesh, cells of mixed or other kinds, a corner that is no vertex, a wrong length.
+Mesh read_mesh(const std::filesystem::path& path);
+
+}  // namespace bake
