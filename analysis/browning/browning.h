@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// How brown each particle has become: from its history of temperature and water over the frames of a run.
+//
+// A crust browns by reactions that need heat and dryness (Maillard, then caramel). As first-order kinetics of lightness [after Purlis
+// and Salvadori 2009, doi:10.1016/j.foodres.2009.03.007, who fit such a law to bread], with a rate that grows tenfold every so many
+// kelvin and in proportion to the water that is gone:
+//
+//     dB/dt = 1/t_ref 10^((theta - theta_ref) / theta_10) min(1, w / w_ref),    degree = 1 - exp(-B)
+//
+// with w the share of the particle's water that has left since the first frame (without water in the run: that factor is 1).
+// The solver knows nothing of it. It is a look, not a claim: scenes compress time and oven, so t_ref and theta_ref are chosen by view.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "solver/scene/parameter.h"
+
+namespace bake {
+
+/// [browning] of a view.
+struct BrowningLaw {
+  double reference_temperature_C = 150;
+  double reference_time_s = 600;
+  double tenfold_K = 40;
+  double reference_dryness = 0.5;
+  static constexpr auto parameters() {
+    return std::tuple{
+        Parameter{"reference_temperature_C", &BrowningLaw::reference_temperature_C, "C", above_absolute_zero,
+                  "theta_ref: at this temperature a dry crust ..."},
+        Parameter{"reference_time_s", &BrowningLaw::reference_time_s, "s", positive,
+                  "t_ref: ... browns to a degree of 1 - 1/e in this time"},
+        Parameter{"tenfold_K", &BrowningLaw::tenfold_K, "K", positive, "theta_10: rise of temperature that makes it ten times as fast"},
+        Parameter{"reference_dryness", &BrowningLaw::reference_dryness, "1", Range{0, 1, true, false, "a number above 0, up to 1"},
+                  "w_ref: share of its water that must have left for the full rate"},
+    };
+  }
+};
+
+/// dB/dt [1/s] at a temperature [C] and share of water lost (below 0 counts as 0).
+double browning_rate(const BrowningLaw& law, double temperature_C, double dryness);
+
+/// Degree of browning from 0 (raw) to below 1 for B of at least 0.
+double browning_degree(double integral);
+
+/// Follows the particles of a run from its first frame on.
+class BrowningHistory {
+ public:
+  /// Throws InputError if the folder holds no frames.
+  BrowningHistory(std::filesystem::path results, const BrowningLaw& law);
+
+  /// Takes in the frames up to `frame`, by the trapezium rule over every frame or, if there are more than k_most_samples, over so many
+  /// of them. Must not go back. Throws InputError: the run has not come that far, frames without temperature.
+  void advance_to(int frame);
+  int last_frame() const { return last_frame_; }  ///< that the run has written
+
+  /// Degree of browning of each particle. Particles that came with the last frame, and unknown ones, are raw.
+  std::vector<double> degrees(std::span<const std::int64_t> ids) const;
+  /// Where each particle was when it was first seen, x, y, z [m].
+  std::vector<double> first_positions(std::span<const std::int64_t> ids) const;
+
+  static constexpr int k_most_samples = 96;
+
+ private:
+  void take(int frame);
+
+  struct Particle {
+    double integral = 0;  ///< B
+    double rate = 0;      ///< at the last frame taken
+    double first_water_kg = 0;
+    std::array<float, 3> first_position = {0, 0, 0};
+    bool seen = false;
+  };
+  std::filesystem::path results_;
+  BrowningLaw law_;
+  int last_frame_ = 0;
+  int taken_ = -1;  ///< last frame taken
+  double time_s_ = 0;
+  std::vector<Particle> particles_;  ///< by id
+};
+
+/// Number of the frame of a run that shows `time_s`. Throws InputError if the folder holds no run or none of its frames is of that time.
+int frame_at(const std::filesystem::path& results, double time_s);
+
+}  // namespace bake

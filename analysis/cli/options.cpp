@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include "analysis/cli/commands.h"
+#include "solver/io/progress.h"
+#include "solver/scene/entry.h"
+#include "solver/scene/input_error.h"
+
+namespace bake::render {
+namespace {
+
+double steady_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+int pixels_in(const std::string& size, std::string_view digits) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size() || !pixels.contains(value))
+    throw InputError(fmt::format("--size: found '{}', allowed: WIDTHxHEIGHT, each {}, as in 1280x960", quotable(size), pixels.words));
+  return value;
+}
+
+}  // namespace
+
+int thread_count(int threads) { return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+void add_threads_option(CLI::App& command, int& threads) {
+  command.add_option("--threads", threads, "threads; the result does not depend on them [all of the machine]")->check(CLI::Range(1, 1024));
+}
+
+void check_ending(const std::filesystem::path& file, const char* ending) {
+  if (file.extension() != ending)
+    throw InputError(fmt::format("--out: found {}, allowed: a name that ends in {}", quotable_path(file), ending));
+}
+
+void PictureOptions::add_to(CLI::App& command) {
+  command.add_option("view", view, "how the picture is taken: a TOML file, see bake-render explain")->required();
+  command.add_option("--results", results,
+                     "folder of the run that the files show: one for all, or one for each [found from frames themselves]");
+  command.add_option("--set", overrides, "key=value: changes a value of the view, e.g. camera.angle_of_view_deg=40")
+      ->allow_extra_args(false);
+  command.add_option("--size", size, "WIDTHxHEIGHT in pixels instead of the view's");
+  command.add_option("--samples", samples, "paths of light per pixel instead of the view's")->check(CLI::Range(1, 1000000));
+  add_threads_option(command, threads);
+}
+
+View PictureOptions::read() const {
+  View result = read_view(view, overrides);
+  if (samples > 0) result.picture.samples = samples;
+  if (size.empty()) return result;
+  const std::size_t x = size.find('x');
+  result.picture.width_px = pixels_in(size, std::string_view(size).substr(0, x));
+  result.picture.height_px = pixels_in(size, x == std::string::npos ? std::string_view() : std::string_view(size).substr(x + 1));
+  return result;
+}
+
+std::vector<std::filesystem::path> PictureOptions::results_of(std::size_t files) const {
+  if (results.size() > 1 && results.size() != files)
+    throw InputError(fmt::format("--results: found {} folders for {} files, allowed: one for all or one for each", results.size(), files));
+  std::vector<std::filesystem::path> folders = results;
+  folders.resize(files, results.empty() ? std::filesystem::path() : results.front());
+  return folders;
+}
+
+Meter::~Meter() {
+  if (start_s_ >= 0 && isatty(STDERR_FILENO)) fmt::print(stderr, "\r\x1b[K");
+}
+
+void Meter::operator()(double share) {
+  const double now = steady_seconds();
+  if (start_s_ < 0) start_s_ = now;
+  if (!isatty(STDERR_FILENO) || now - last_s_ < 0.2) return;
+  last_s_ = now;
+  const double left_s = share > 0 ? (now - start_s_) * (1 / share - 1) : -1;
+  fmt::print(stderr, "\r{}  {:3.0f} %  left {}\x1b[K", what_, 100 * share, clock_text(left_s));
+}
+
+}  // namespace bake::render

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/look/image.h"
+
+#include <fmt/format.h>
+#include <vtkFreeTypeTools.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
+#include <vtkPNGWriter.h>
+#include <vtkTextProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/io/atomic_file.h"
+#include "solver/scene/input_error.h"
+
+namespace bake {
+
+std::array<std::uint8_t, 3> pixel(const Colour& srgb) {
+  std::array<std::uint8_t, 3> bytes;
+  for (int c = 0; c < 3; ++c)
+    bytes[static_cast<std::size_t>(c)] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(srgb[c], 0.0f, 1.0f)));
+  return bytes;
+}
+
+Image::Image(int width, int height, const Colour& srgb)
+    : width(width), height(height), pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), pixel(srgb)) {}
+
+void paste(Image& image, const Image& part, int x, int y) {
+  for (int row = std::max(0, -y); row < std::min(part.height, image.height - y); ++row)
+    for (int column = std::max(0, -x); column < std::min(part.width, image.width - x); ++column)
+      image.at(x + column, y + row) = part.at(column, row);
+}
+
+void draw_text(Image& image, const std::string& text, int x, int y, int size, Anchor anchor, const Colour& srgb) {
+  vtkNew<vtkTextProperty> font;
+  font->SetFontFamilyToArial();
+  font->SetFontSize(std::max(4, static_cast<int>(std::lround(0.72 * size))));
+  font->SetColor(1, 1, 1);
+  vtkNew<vtkImageData> drawn;
+  int extent[2];
+  vtkFreeTypeTools* tools = vtkFreeTypeTools::GetInstance();
+  tools->ScaleToPowerTwoOff();
+  if (text.empty() || !tools->RenderString(font, text, 72, drawn, extent)) return;
+  int box[4];
+  tools->GetBoundingBox(font, text, 72, box);
+  int* dims = drawn->GetDimensions();
+  const int wide = std::min(extent[0], dims[0]), high = std::min(extent[1], dims[1]);
+  const int left = anchor == Anchor::left ? x : anchor == Anchor::right ? x - wide : x - wide / 2;
+  const int middle = static_cast<int>(std::lround(0.26 * size));  // half the height of capitals above the baseline
+  const auto colour = pixel(srgb);
+  for (int row = 0; row < high; ++row) {  // row 0 is the lowest; box[2] is how far below the baseline that is
+    const int to_y = y + middle - (row + box[2]);
+    for (int column = 0; column < wide; ++column) {
+      const int to_x = left + column;
+      if (to_x < 0 || to_y < 0 || to_x >= image.width || to_y >= image.height) continue;
+      const double cover = static_cast<unsigned char*>(drawn->GetScalarPointer(column, row, 0))[3] / 255.0;
+      auto& under = image.at(to_x, to_y);
+      for (std::size_t c = 0; c < 3; ++c) under[c] = static_cast<std::uint8_t>(std::lround(cover * colour[c] + (1 - cover) * under[c]));
+    }
+  }
+}
+
+void write_png(const std::filesystem::path& path, const Image& image) {
+  vtkNew<vtkImageData> data;
+  data->SetDimensions(image.width, image.height, 1);
+  data->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int y = 0; y < image.height; ++y)
+    std::copy_n(image.at(0, y).data(), 3 * image.width, static_cast<unsigned char*>(data->GetScalarPointer(0, image.height - 1 - y, 0)));
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(data);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  AtomicFile file(path);
+  file.write_at(0, std::as_bytes(std::span(bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()))));
+  file.commit();
+}
+
+Image read_png(const std::filesystem::path& path) {
+  vtkNew<vtkPNGReader> reader;
+  if (!std::filesystem::is_regular_file(path)) throw InputError(fmt::format("{}: no such file", path.string()));
+  if (!reader->CanReadFile(path.c_str())) throw InputError(fmt::format("{}: not a picture, allowed: a PNG file", path.string()));
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkImageData* data = reader->GetOutput();
+  const int channels = data->GetNumberOfScalarComponents();
+  if (data->GetScalarType() != VTK_UNSIGNED_CHAR || channels < 3)
+    throw InputError(fmt::format("{}: found a picture of another kind, allowed: colour with 8 bits a channel", path.string()));
+  int* size = data->GetDimensions();
+  Image image(size[0], size[1], Colour::Zero());
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      std::copy_n(static_cast<const unsigned char*>(data->GetScalarPointer(x, image.height - 1 - y, 0)), 3, image.at(x, y).data());
+  return image;
+}
+
+}  // namespace bake

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/pictures/path_tracer.h"
+
+#include <embree3/rtcore.h>
+#include <omp.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <stdexcept>
+#include <variant>
+
+#include "analysis/pictures/noise.h"
+
+namespace bake {
+namespace {
+
+constexpr float k_pi = std::numbers::pi_v<float>;
+constexpr float k_far = 1e30f;
+
+/// PCG-XSH-RR (O'Neill 2014): 32 random bits a call.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15ull + 0x2545f4914f6cdd1dull) {
+    bits();
+    bits();
+  }
+  /// From 0 to below 1.
+  float uniform() { return static_cast<float>(bits() >> 8) * 0x1p-24f; }
+
+ private:
+  std::uint32_t bits() {
+    state_ = state_ * 6364136223846793005ull + 1442695040888963407ull;
+    const auto shifted = static_cast<std::uint32_t>(((state_ >> 18) ^ state_) >> 27);
+    const auto turn = static_cast<std::uint32_t>(state_ >> 59);
+    return (shifted >> turn) | (shifted << (-turn & 31));
+  }
+  std::uint64_t state_;
+};
+
+/// A point of the unit square.
+struct Sample2 {
+  float u, v;
+};
+
+/// Sample `i` of an additive recurrence with irrational steps, shifted by `start`: evenly spread for any number of samples.
+Sample2 even_sample(Sample2 start, int i, double step_u, double step_v) {
+  const double u = start.u + i * step_u, v = start.v + i * step_v;
+  return {static_cast<float>(u - std::floor(u)), static_cast<float>(v - std::floor(v))};
+}
+
+/// Two directions that are at right angles to `n` (Duff et al. 2017).
+std::array<Vec3f, 2> tangents(const Vec3f& n) {
+  const float sign = std::copysign(1.0f, n.z()), a = -1 / (sign + n.z()), b = n.x() * n.y() * a;
+  return {Vec3f(1 + sign * n.x() * n.x() * a, sign * b, -sign * n.x()), Vec3f(b, sign + n.y() * n.y() * a, -n.y())};
+}
+
+/// Direction about `n` with density cosine / pi.
+Vec3f cosine_direction(const Vec3f& n, Sample2 s) {
+  const auto [t, b] = tangents(n);
+  const float r = std::sqrt(s.u), angle = 2 * k_pi * s.v;
+  return (r * std::cos(angle) * t + r * std::sin(angle) * b + std::sqrt(std::max(0.0f, 1 - s.u)) * n).normalized();
+}
+
+/// A rough dielectric coat over a diffuse ground. `coat` scales the coat's reflectance.
+class Reflection {
+ public:
+  Reflection(const Colour& albedo, const Gloss& gloss) : albedo_(albedo), coat_(gloss.coat) {
+    const float alpha = std::pow(std::max(gloss.roughness, 0.05f), 2.0f);
+    alpha2_ = alpha * alpha;
+  }
+
+  /// The reflection function times the cosine of `out`, for directions on the side of n. cos_*: cosines to the normal.
+  Colour towards(const Vec3f& n, const Vec3f& in, const Vec3f& out) const {
+    const float cos_in = std::max(n.dot(in), 1e-4f), cos_out = n.dot(out);
+    if (cos_out <= 0) return Colour::Zero();
+    const Colour diffuse = albedo_ * (below_coat(cos_in) * below_coat(cos_out) / (k_pi * (1 - coat_ * k_mean_fresnel)));
+    if (coat_ == 0) return diffuse * cos_out;
+    const Vec3f h = (in + out).normalized();
+    const float cos_h = n.dot(h), k = cos_h * cos_h * (alpha2_ - 1) + 1;
+    const float density = alpha2_ / (k_pi * k * k);
+    const float specular = coat_ * fresnel(in.dot(h)) * density * joint_masking(cos_in, cos_out) / (4 * cos_in * cos_out);
+    return (diffuse + Colour::Constant(specular)) * cos_out;
+  }
+
+  /// A direction to go on, and the share of the light that comes from there: towards() over the density of the choice.
+  struct Bounce {
+    Vec3f out;
+    Colour weight;
+  };
+  Bounce bounce(const Vec3f& n, const Vec3f& in, Sample2 s, float choice) const {
+    const float cos_in = std::max(n.dot(in), 1e-4f);
+    const float chance = coat_ > 0 ? std::clamp(2 * coat_ * fresnel(cos_in), 0.1f, 0.7f) : 0;
+    if (choice < chance) return mirror(n, in, s, 1 / chance);
+    const Vec3f out = cosine_direction(n, s);
+    const float below = below_coat(cos_in) * below_coat(n.dot(out)) / (1 - coat_ * k_mean_fresnel);
+    return {out, albedo_ * (below / (1 - chance))};
+  }
+
+ private:
+  static constexpr float k_normal_fresnel = 0.04f;                                         ///< refractive index 1.5
+  static constexpr float k_mean_fresnel = k_normal_fresnel + (1 - k_normal_fresnel) / 21;  ///< over the cosine-weighted hemisphere
+
+  static float fresnel(float cosine) {  // Schlick's approximation
+    const float m = 1 - std::clamp(cosine, 0.0f, 1.0f), m2 = m * m;
+    return k_normal_fresnel + (1 - k_normal_fresnel) * m2 * m2 * m;
+  }
+  float below_coat(float cosine) const { return 1 - coat_ * fresnel(cosine); }
+  float lambda(float cosine) const { return (std::sqrt(1 + alpha2_ * (1 / (cosine * cosine) - 1)) - 1) / 2; }
+  float joint_masking(float a, float b) const { return 1 / (1 + lambda(a) + lambda(b)); }
+
+  /// A facet that is visible from `in` (Heitz 2018), with density D G1(in) (in.h) / cos_in.
+  Vec3f visible_facet(const Vec3f& n, const Vec3f& in, Sample2 s) const {
+    const auto [t, b] = tangents(n);
+    const float alpha = std::sqrt(alpha2_);
+    const Vec3f v = Vec3f(alpha * t.dot(in), alpha * b.dot(in), n.dot(in)).normalized();
+    const float flat = v.x() * v.x() + v.y() * v.y();
+    const Vec3f t1 = flat > 1e-12f ? Vec3f(-v.y(), v.x(), 0) / std::sqrt(flat) : Vec3f(1, 0, 0);
+    const Vec3f t2 = v.cross(t1);
+    const float r = std::sqrt(s.u), angle = 2 * k_pi * s.v, p1 = r * std::cos(angle), share = (1 + v.z()) / 2;
+    const float p2 = std::lerp(std::sqrt(std::max(0.0f, 1 - p1 * p1)), r * std::sin(angle), share);
+    const Vec3f h = p1 * t1 + p2 * t2 + std::sqrt(std::max(0.0f, 1 - p1 * p1 - p2 * p2)) * v;
+    return (alpha * h.x() * t + alpha * h.y() * b + std::max(0.0f, h.z()) * n).normalized();
+  }
+  Bounce mirror(const Vec3f& n, const Vec3f& in, Sample2 s, float factor) const {
+    const Vec3f h = visible_facet(n, in, s);
+    const Vec3f out = 2 * in.dot(h) * h - in;
+    const float cos_in = std::max(n.dot(in), 1e-4f), cos_out = n.dot(out);
+    if (cos_out <= 0) return {out, Colour::Zero()};
+    const float visible = joint_masking(cos_in, cos_out) * (1 + lambda(cos_in));  // G2 / G1
+    return {out, Colour::Constant(coat_ * fresnel(in.dot(h)) * visible * factor)};
+  }
+
+  Colour albedo_;
+  float coat_;
+  float alpha2_;
+};
+
+/// Where a ray ends, with all that is needed to go on.
+struct Hit {
+  Vec3f at;
+  Vec3f face_normal;  ///< towards where the ray came from
+  Vec3f normal;       ///< smooth
+  Colour albedo;
+  Gloss gloss;
+};
+
+/// Normal tilted and albedo varied by the object's grain at texture coordinates `p`.
+void roughen(Hit& hit, const Grain& grain, const Vec3f& p) {
+  const Vec3f q = p / grain.size;
+  if (grain.mottle > 0) hit.albedo *= std::max(0.0f, 1 + grain.mottle * fractal_noise(q * 0.37f, 3));
+  if (grain.bump <= 0) return;
+  constexpr float k_step = 0.05f;
+  const float here = fractal_noise(q, 3);
+  const Vec3f slope = Vec3f(fractal_noise(q + Vec3f(k_step, 0, 0), 3), fractal_noise(q + Vec3f(0, k_step, 0), 3),
+                            fractal_noise(q + Vec3f(0, 0, k_step), 3)) -
+                      Vec3f::Constant(here);
+  const Vec3f tilted = hit.normal - grain.bump / k_step * (slope - slope.dot(hit.normal) * hit.normal);
+  hit.normal = tilted.normalized();
+}
+
+template <class T>
+T across(const T& a, const T& b, const T& c, float u, float v) {
+  return a * (1 - u - v) + b * u + c * v;
+}
+
+using Object = std::variant<TriangleObject, SphereObject>;
+
+void check_lengths(const TriangleObject& object) {
+  const auto vertices = object.vertices.size();
+  const bool fits = object.albedos.size() == vertices && (object.normals.empty() || object.normals.size() == object.triangles.size()) &&
+                    (object.texture.empty() || object.texture.size() == vertices);
+  const bool inside = std::all_of(object.triangles.begin(), object.triangles.end(),
+                                  [&](const auto& t) { return std::all_of(t.begin(), t.end(), [&](auto v) { return v < vertices; }); });
+  if (!fits || !inside) throw std::invalid_argument("a picture's mesh has lists of other lengths than its vertices and triangles");
+}
+
+}  // namespace
+
+/// Embree's scene and the objects by their number in it.
+struct PathTracer::Scene {
+  RTCDevice device = rtcNewDevice("threads=1");
+  RTCScene scene = rtcNewScene(device);
+  std::vector<Object> objects;
+  const Lamp* lamp = nullptr;
+  const Sky* sky = nullptr;
+  float clearance = 1e-4f;  ///< of a new ray from the surface that it leaves [m]
+
+  Scene() { rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST); }
+  ~Scene() {
+    rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+  }
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  void attach(RTCGeometry geometry) {
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+  }
+  void commit();
+
+  bool intersect(const Vec3f& from, const Vec3f& towards, Hit& hit) const;
+  bool visible(const Vec3f& from, const Vec3f& towards, float distance) const;
+  void fill_hit(const TriangleObject& object, const RTCHit& found, Hit& hit) const;
+  void fill_hit(const SphereObject& object, const RTCHit& found, Hit& hit) const;
+
+  Colour sky_light(const Vec3f& direction) const { return sky->below + (direction.z() + 1) / 2 * (sky->above - sky->below); }
+  Colour lamp_light(const Hit& hit, const Reflection& reflection, const Vec3f& in, Sample2 s) const;
+  Colour path(Vec3f from, Vec3f towards, Sample2 first_lamp, Sample2 first_bounce, int most_bounces, Random& random) const;
+};
+
+void PathTracer::Scene::commit() {
+  rtcCommitScene(scene);
+  RTCBounds box{};
+  rtcGetSceneBounds(scene, &box);
+  const Vec3f size(box.upper_x - box.lower_x, box.upper_y - box.lower_y, box.upper_z - box.lower_z);
+  if (!objects.empty()) clearance = 1e-6f * size.norm();
+}
+
+void PathTracer::Scene::fill_hit(const TriangleObject& object, const RTCHit& found, Hit& hit) const {
+  const auto& [a, b, c] = object.triangles[found.primID];
+  hit.albedo = across(object.albedos[a], object.albedos[b], object.albedos[c], found.u, found.v);
+  if (!object.normals.empty()) {
+    const auto& n = object.normals[found.primID];
+    hit.normal = across(n[0], n[1], n[2], found.u, found.v).normalized();
+  }
+  if (object.grain.size <= 0) return;
+  const auto& where = object.texture.empty() ? object.vertices : object.texture;
+  roughen(hit, object.grain, across(where[a], where[b], where[c], found.u, found.v));
+}
+
+void PathTracer::Scene::fill_hit(const SphereObject& object, const RTCHit& found, Hit& hit) const {
+  hit.albedo = object.albedos[found.primID];
+}
+
+bool PathTracer::Scene::intersect(const Vec3f& from, const Vec3f& towards, Hit& hit) const {
+  RTCRayHit query{};
+  query.ray = {from.x(), from.y(), from.z(), 0, towards.x(), towards.y(), towards.z(), 0, k_far, ~0u, 0, 0};
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
+  hit.face_normal = Vec3f(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z).normalized();
+  hit.normal = hit.face_normal;
+  std::visit(
+      [&](const auto& object) {
+        hit.gloss = object.gloss;
+        fill_hit(object, query.hit, hit);
+      },
+      objects[query.hit.geomID]);
+  if (hit.face_normal.dot(towards) > 0) hit.face_normal = -hit.face_normal;
+  if (hit.normal.dot(hit.face_normal) < 0) hit.normal = -hit.normal;  // seen from behind, or triangles turned inside out
+  hit.at = from + query.ray.tfar * towards + clearance * hit.face_normal;
+  return true;
+}
+
+bool PathTracer::Scene::visible(const Vec3f& from, const Vec3f& towards, float distance) const {
+  RTCRay ray{from.x(), from.y(), from.z(), 0, towards.x(), towards.y(), towards.z(), 0, distance, ~0u, 0, 0};
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(scene, &context, &ray);
+  return ray.tfar > 0;
+}
+
+/// Light that comes straight from a point of the lamp and is reflected towards `in`.
+Colour PathTracer::Scene::lamp_light(const Hit& hit, const Reflection& reflection, const Vec3f& in, Sample2 s) const {
+  if (lamp->half_width <= 0) return Colour::Zero();
+  const auto [t, b] = tangents(lamp->direction);
+  const Vec3f point = lamp->centre + lamp->half_width * ((2 * s.u - 1) * t + (2 * s.v - 1) * b);
+  const Vec3f way = point - hit.at;
+  const float distance2 = way.squaredNorm(), distance = std::sqrt(distance2);
+  const Vec3f out = way / distance;
+  const float cosine = -lamp->direction.dot(out);
+  if (cosine <= 0 || hit.face_normal.dot(out) <= 0 || hit.normal.dot(out) <= 0) return Colour::Zero();
+  if (!visible(hit.at, out, distance * 0.9999f)) return Colour::Zero();
+  const float area = 4 * lamp->half_width * lamp->half_width;
+  return reflection.towards(hit.normal, in, out).cwiseProduct(lamp->radiance) * (cosine * area / distance2);
+}
+
+/// Light that comes along a path: at each hit straight from the lamp, and from the sky where it leaves the scene.
+Colour PathTracer::Scene::path(Vec3f from, Vec3f towards, Sample2 first_lamp, Sample2 first_bounce, int most_bounces,
+                               Random& random) const {
+  Colour light = Colour::Zero(), share = Colour::Ones();
+  const auto sample = [&] {
+    const float u = random.uniform();
+    return Sample2{u, random.uniform()};
+  };
+  for (int bounce = 0;; ++bounce) {
+    Hit hit;
+    if (!intersect(from, towards, hit)) return light + share.cwiseProduct(bounce == 0 ? sky->backdrop : sky_light(towards));
+    if (bounce == most_bounces) return light;
+    const Reflection reflection(hit.albedo, hit.gloss);
+    const Vec3f in = -towards;
+    light += share.cwiseProduct(lamp_light(hit, reflection, in, bounce == 0 ? first_lamp : sample()));
+    const Sample2 s = bounce == 0 ? first_bounce : sample();
+    const auto [out, weight] = reflection.bounce(hit.normal, in, s, random.uniform());
+    share = share.cwiseProduct(weight);
+    if (hit.face_normal.dot(out) <= 0 || share.maxCoeff() <= 0) return light;
+    if (bounce >= 2) {  // Russian roulette: end dim paths, count the others for them
+      const float goes_on = std::min(0.95f, share.maxCoeff());
+      if (random.uniform() >= goes_on) return light;
+      share /= goes_on;
+    }
+    from = hit.at;
+    towards = out;
+  }
+}
+
+PathTracer::PathTracer() : scene_(std::make_unique<Scene>()) {}
+PathTracer::~PathTracer() = default;
+
+void PathTracer::add(TriangleObject object) {
+  check_lengths(object);
+  const RTCGeometry geometry = rtcNewGeometry(scene_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  void* points = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), object.vertices.size());
+  void* corners =
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(object.triangles[0]), object.triangles.size());
+  if (!points || !corners) throw std::bad_alloc();
+  std::memcpy(points, object.vertices.data(), object.vertices.size() * sizeof(Vec3f));
+  std::memcpy(corners, object.triangles.data(), object.triangles.size() * sizeof(object.triangles[0]));
+  scene_->attach(geometry);
+  scene_->objects.emplace_back(std::move(object));
+}
+
+void PathTracer::add(SphereObject object) {
+  if (object.albedos.size() != object.spheres.size()) throw std::invalid_argument("a picture's spheres and their colours differ in number");
+  const RTCGeometry geometry = rtcNewGeometry(scene_->device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
+  const std::size_t bytes = sizeof(Eigen::Vector4f);
+  void* spheres = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, bytes, object.spheres.size());
+  if (!spheres) throw std::bad_alloc();
+  std::memcpy(spheres, object.spheres.data(), object.spheres.size() * bytes);
+  scene_->attach(geometry);
+  scene_->objects.emplace_back(std::move(object));
+}
+
+Radiance PathTracer::expose(const Camera& camera, const Exposure& exposure, const std::function<void(int)>& rows_done) {
+  Scene& scene = *scene_;
+  scene.lamp = &lamp;
+  scene.sky = &sky;
+  scene.commit();
+  const Vec3f forward = (camera.target - camera.eye).normalized(), right = forward.cross(camera.up).normalized(), up = right.cross(forward);
+  const int width = exposure.width, height = exposure.height;
+  const float half_width = camera.half_height * static_cast<float>(width) / static_cast<float>(height);
+  Radiance picture{width, height, std::vector<Colour>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
+
+  const auto pixel = [&](int row, int column) -> Colour {
+    Random random(static_cast<std::uint64_t>(row) * static_cast<std::uint64_t>(width) + static_cast<std::uint64_t>(column));
+    const auto start = [&] {
+      const float u = random.uniform();
+      return Sample2{u, random.uniform()};
+    };
+    const Sample2 in_pixel = start(), on_lamp = start(), of_bounce = start();
+    Colour sum = Colour::Zero();
+    for (int i = 0; i < exposure.samples; ++i) {  // steps: powers of the inverse roots of x^(d+1) = x + 1 (Roberts 2018), for d = 2 and 4
+      const Sample2 p = even_sample(in_pixel, i, 0.7548776662466927, 0.5698402909980532);
+      const Sample2 l = even_sample(on_lamp, i, 0.8566748838545029, 0.7338918566271260);
+      const Sample2 b = even_sample(of_bounce, i, 0.6287067210378087, 0.5385972572236101);
+      const float x = (2 * (static_cast<float>(column) + p.u) / static_cast<float>(width) - 1) * half_width;
+      const float y = (1 - 2 * (static_cast<float>(row) + p.v) / static_cast<float>(height)) * camera.half_height;
+      sum += scene.path(camera.eye, (forward + x * right + y * up).normalized(), l, b, exposure.most_bounces, random);
+    }
+    return sum / static_cast<float>(exposure.samples);
+  };
+
+  int done = 0;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(exposure.threads)
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column)
+      picture.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)] =
+          pixel(row, column);
+    int now;
+#pragma omp atomic capture
+    now = ++done;
+    if (rows_done && omp_get_thread_num() == 0) rows_done(now);
+  }
+  return picture;
+}
+
+}  // namespace bake

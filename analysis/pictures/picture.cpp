@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/pictures/picture.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "solver/scene/entry.h"
+#include "solver/scene/input_error.h"
+
+namespace bake {
+namespace {
+
+constexpr double k_title_height = 0.045;  ///< of the picture's height
+
+Vec3f as_vec3f(const Vector3& v) { return Vec3f(static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])); }
+Colour linear(const Vector3& srgb) { return linear_from_srgb(as_vec3f(srgb)); }
+
+/// All points of an object that can be outermost.
+std::vector<Vec3f> outline(const PictureObject& object) {
+  std::vector<Vec3f> points;
+  for (const TriangleObject& mesh : object.meshes)
+    for (const auto& triangle : mesh.triangles)
+      for (const std::uint32_t v : triangle) points.push_back(mesh.vertices[v]);
+  for (const SphereObject& set : object.spheres)
+    for (const Eigen::Vector4f& s : set.spheres)
+      for (int axis = 0; axis < 3; ++axis)
+        for (const float side : {-1.0f, 1.0f}) points.push_back(s.head<3>() + side * s[3] * Vec3f::Unit(axis));
+  return points;
+}
+
+struct Ball {
+  Vec3f centre;
+  float radius;
+  float lowest;  ///< z of the lowest point
+};
+
+/// Centre of the box around all points, and the farthest of them.
+Ball ball_around(const std::vector<Vec3f>& points) {
+  Eigen::Array3f low = Eigen::Array3f::Constant(std::numeric_limits<float>::max()), high = -low;
+  for (const Vec3f& p : points) {
+    low = low.min(p.array());
+    high = high.max(p.array());
+  }
+  Ball ball{(low + high) / 2, 0, low.z()};
+  for (const Vec3f& p : points) ball.radius = std::max(ball.radius, (p - ball.centre).norm());
+  return ball;
+}
+
+/// Right, up and backward of a camera that looks along -direction.
+std::array<Vec3f, 3> axes_of(const Vec3f& direction, const Vec3f& up) {
+  const Vec3f back = direction.normalized(), right = up.cross(back).normalized();
+  return {right, back.cross(right), back};
+}
+
+Vec3f up_for(const Vec3f& direction) {  // a camera straight above has the y axis up
+  return std::abs(direction.normalized().z()) > 0.999f ? Vec3f(0, 1, 0) : Vec3f(0, 0, 1);
+}
+
+/// A table that bends up into a wall behind the objects, as photographers have it.
+TriangleObject cove(const Ball& ball, float height, const Vec3f& view_direction, const Colour& albedo) {
+  Vec3f away(-view_direction.x(), -view_direction.y(), 0);
+  away = away.norm() > 1e-3f ? away.normalized() : Vec3f(0, 1, 0);
+  const Vec3f side(-away.y(), away.x(), 0);
+  const float r = ball.radius, reach = 4 * r, bend = 6 * r, wide = 60 * r;
+  TriangleObject object;
+  std::vector<Vec3f> normals;
+  const auto add = [&](float forward, float up, const Vec3f& normal) {
+    Vec3f centre = ball.centre + forward * away;
+    centre.z() = height + up;
+    for (const float s : {-1.0f, 1.0f}) {
+      object.vertices.push_back(centre + s * wide * side);
+      normals.push_back(normal);
+    }
+  };
+  add(-60 * r, 0, Vec3f(0, 0, 1));
+  constexpr int k_steps = 48;
+  for (int i = 0; i <= k_steps; ++i) {
+    const float angle = static_cast<float>(i) / k_steps * std::numbers::pi_v<float> / 2;
+    add(reach + bend * std::sin(angle), bend * (1 - std::cos(angle)), std::cos(angle) * Vec3f(0, 0, 1) - std::sin(angle) * away);
+  }
+  add(reach + bend, 40 * r, -away);
+  for (std::uint32_t i = 0; i + 3 < object.vertices.size(); i += 2) {
+    object.triangles.push_back({i, i + 1, i + 2});
+    object.triangles.push_back({i + 1, i + 3, i + 2});
+    object.normals.push_back({normals[i], normals[i + 1], normals[i + 2]});
+    object.normals.push_back({normals[i + 1], normals[i + 3], normals[i + 2]});
+  }
+  object.albedos.assign(object.vertices.size(), albedo);
+  return object;
+}
+
+void light_up(PathTracer& tracer, const View& view, const Ball& ball) {
+  const Vec3f towards = as_vec3f(view.light.direction).normalized();
+  const float distance = static_cast<float>(view.light.distance) * ball.radius;
+  Lamp& lamp = tracer.lamp;
+  lamp.centre = ball.centre + distance * towards;
+  lamp.direction = -towards;
+  lamp.half_width = static_cast<float>(view.light.size) * ball.radius;
+  const float area = 4 * lamp.half_width * lamp.half_width;  // strength: albedo 1 reflects irradiance / pi
+  lamp.radiance =
+      linear(view.light.colour) * (static_cast<float>(view.light.strength) * std::numbers::pi_v<float> * distance * distance / area);
+  const Colour above = linear(view.sky.colour) * static_cast<float>(view.sky.strength);
+  tracer.sky = {above, above / 3, linear(view.sky.backdrop)};
+}
+
+/// Where an object appears in the picture [pixels].
+struct Extent {
+  double left = 1e9, right = -1e9, bottom = -1e9;
+};
+
+Extent extent_of(const std::vector<Vec3f>& points, const Camera& camera, const PictureSettings& picture) {
+  const auto [right, up, back] = axes_of(camera.eye - camera.target, camera.up);
+  const double half_width = camera.half_height * picture.width_px / picture.height_px;
+  Extent extent;
+  for (const Vec3f& p : points) {
+    const Vec3f q = p - camera.eye;
+    const double depth = -back.dot(q);
+    if (depth <= 0) continue;
+    const double x = (right.dot(q) / (depth * half_width) + 1) / 2 * picture.width_px;
+    extent.left = std::min(extent.left, x);
+    extent.right = std::max(extent.right, x);
+    extent.bottom = std::max(extent.bottom, (1 - up.dot(q) / (depth * camera.half_height)) / 2 * picture.height_px);
+  }
+  return extent;
+}
+
+}  // namespace
+
+Camera fitted_camera(const std::vector<Vec3f>& points, const Vec3f& direction, double angle_of_view_deg, double aspect, double margin,
+                     double below) {
+  Camera camera;
+  camera.up = up_for(direction);
+  camera.half_height = static_cast<float>(std::tan(angle_of_view_deg / 2 * std::numbers::pi / 180));
+  const auto [right, up, back] = axes_of(direction, camera.up);
+  // A point at (x, y, z) along right, up, back is inside the left plane of a camera at (cx, cy, d) if cx - x <= t (d - z). So the
+  // planes ask for the largest t z - x and t z + x, and the camera touches them where both are equal.
+  const double tx = camera.half_height * aspect * (1 - 2 * margin);
+  const double top = camera.half_height * (1 - 2 * margin), bottom = camera.half_height * (1 - 2 * margin - 2 * below);
+  double left_most = -k_infinity, right_most = -k_infinity, lowest = -k_infinity, highest = -k_infinity;
+  for (const Vec3f& p : points) {
+    const double x = right.dot(p), y = up.dot(p), z = back.dot(p);
+    left_most = std::max(left_most, tx * z - x);
+    right_most = std::max(right_most, tx * z + x);
+    lowest = std::max(lowest, bottom * z - y);
+    highest = std::max(highest, top * z + y);
+  }
+  const double d = std::max((left_most + right_most) / (2 * tx), (lowest + highest) / (bottom + top));
+  const double cx = (right_most - left_most) / 2;
+  const double cy = ((highest - top * d) + (bottom * d - lowest)) / 2;
+  camera.eye = (cx * right.cast<double>() + cy * up.cast<double>() + d * back.cast<double>()).cast<float>();
+  camera.target = camera.eye - back;
+  return camera;
+}
+
+Image developed(const Radiance& radiance, double exposure) {
+  Image image(radiance.width, radiance.height, Colour::Zero());
+  const auto film = [](float x) { return x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f); };
+  constexpr float k_middle = 0.6f;  // the fit is meant for light reduced by this
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    const Colour light = radiance.pixels[i] * (k_middle * static_cast<float>(exposure));
+    image.pixels[i] = pixel(srgb_from_linear(light.unaryExpr(film)));
+  }
+  return image;
+}
+
+Image take_picture(const View& view, const std::vector<std::filesystem::path>& files, const std::vector<std::filesystem::path>& results,
+                   Histories& histories, int threads, const std::function<void(double share)>& progress) {
+  if (files.size() != view.objects.size())
+    throw InputError(fmt::format("{}: found {} [[object]] for {} files, allowed: one for each", quotable_path(view.file),
+                                 view.objects.size(), files.size()));
+  PathTracer tracer;
+  std::vector<std::vector<Vec3f>> outlines;
+  std::vector<Vec3f> points;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    PictureObject object = load_object(files[i], results[i], view, view.objects[i], histories, threads);
+    outlines.push_back(outline(object));
+    points.insert(points.end(), outlines.back().begin(), outlines.back().end());
+    for (TriangleObject& mesh : object.meshes) tracer.add(std::move(mesh));
+    for (SphereObject& spheres : object.spheres) tracer.add(std::move(spheres));
+  }
+  const Ball ball = ball_around(points);
+  const bool titled = std::any_of(view.objects.begin(), view.objects.end(), [](const ObjectSettings& o) { return !o.title.empty(); });
+  Camera camera = fitted_camera(points, as_vec3f(view.camera.direction), view.camera.angle_of_view_deg,
+                                static_cast<double>(view.picture.width_px) / view.picture.height_px, view.camera.margin,
+                                titled ? 1.6 * k_title_height : 0);
+  if (!view.camera.fit) {
+    camera.eye = as_vec3f(*view.camera.eye_m);
+    camera.target = as_vec3f(*view.camera.target_m);
+    camera.up = up_for(camera.eye - camera.target);
+  }
+  if (view.ground.show)
+    tracer.add(cove(ball, view.ground.height_m ? static_cast<float>(*view.ground.height_m) : ball.lowest, camera.eye - camera.target,
+                    linear(view.ground.colour)));
+  light_up(tracer, view, ball);
+
+  const Exposure exposure{view.picture.width_px, view.picture.height_px, view.picture.samples, threads};
+  const auto rows_done = [&](int rows) {
+    if (progress) progress(static_cast<double>(rows) / exposure.height);
+  };
+  Image image = developed(tracer.expose(camera, exposure, rows_done), view.picture.exposure);
+  const int size = static_cast<int>(std::lround(k_title_height * image.height));
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const Extent extent = extent_of(outlines[i], camera, view.picture);
+    const double y = std::min(extent.bottom + 0.9 * size, image.height - 0.6 * size);
+    draw_text(image, view.objects[i].title, static_cast<int>((extent.left + extent.right) / 2), static_cast<int>(y), size, Anchor::centre,
+              Colour::Constant(0.15f));
+  }
+  return image;
+}
+
+}  // namespace bake

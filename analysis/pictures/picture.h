@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// From a view and files to a finished picture.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "analysis/look/image.h"
+#include "analysis/pictures/object.h"
+#include "analysis/pictures/view.h"
+
+namespace bake {
+
+/// The nearest camera that looks along -direction and has all `points` within the picture, `margin` of which stays free on each side
+/// and `below` more at the bottom. Exact for points: their outermost ones touch the margins in width, in height or in both.
+Camera fitted_camera(const std::vector<Vec3f>& points, const Vec3f& direction, double angle_of_view_deg, double aspect, double margin,
+                     double below);
+
+/// Light to sRGB: exposure, then a curve that rolls off highlights (Narkowicz 2015, fit of the ACES film curve).
+Image developed(const Radiance& radiance, double exposure);
+
+/// Takes the picture. `files`, one for each object of the view; `results`: folder of the run of each, empty where not given.
+/// Throws InputError: a number of files that is not that of objects, and as load_object does.
+Image take_picture(const View& view, const std::vector<std::filesystem::path>& files, const std::vector<std::filesystem::path>& results,
+                   Histories& histories, int threads, const std::function<void(double share)>& progress = {});
+
+}  // namespace bake

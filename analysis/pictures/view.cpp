@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/pictures/view.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "solver/scene/input_error.h"
+#include "solver/scene/json_value.h"
+#include "solver/scene/overrides.h"
+#include "solver/scene/read_value.h"
+#include "solver/scene/resolved.h"
+
+namespace bake {
+namespace {
+
+template <class T>
+struct ViewTable {
+  const char* name;
+  T View::*member;
+  const char* meaning;
+};
+
+constexpr std::tuple k_tables{
+    ViewTable<PictureSettings>{"picture", &View::picture, "size and quality"},
+    ViewTable<CameraSettings>{"camera", &View::camera, "where it is seen from"},
+    ViewTable<LightSettings>{"light", &View::light, "a square lamp"},
+    ViewTable<SkySettings>{"sky", &View::sky, "light from all around"},
+    ViewTable<GroundSettings>{"ground", &View::ground, "the table, which rises to a wall far behind the objects"},
+    ViewTable<BrowningLaw>{"browning", &View::browning,
+                           "how crust browns: dB/dt = 1/t_ref 10^((theta - theta_ref)/theta_10) min(1, w/w_ref)"},
+    ViewTable<CrustSettings>{"crust", &View::crust, "how browned dough looks"},
+};
+
+bool is_zero(const Vector3& v) { return v == Vector3{0, 0, 0}; }
+
+void check_ramp(const SceneEntry& crust, const char* key, const std::vector<BrowningStop>& ramp) {
+  const auto unsorted = [](const BrowningStop& a, const BrowningStop& b) { return a.degree >= b.degree; };
+  const bool rises = std::adjacent_find(ramp.begin(), ramp.end(), unsorted) == ramp.end();
+  if (ramp.empty() || !rises)
+    crust.find(key)->complain("found no rising degrees, allowed: at least one stop, each degree larger than the one before");
+}
+
+void check(const SceneEntry& root, const View& view) {
+  const auto table = [&](const char* name) { return root.find(name).value_or(root.absent_table(name)); };
+  const SceneEntry camera = table("camera");
+  if (is_zero(view.camera.direction)) camera.find("direction")->complain("found no direction, allowed: not all zero");
+  if (is_zero(view.light.direction)) table("light").find("direction")->complain("found no direction, allowed: not all zero");
+  if (!view.camera.fit && (!view.camera.eye_m || !view.camera.target_m || view.camera.eye_m == view.camera.target_m))
+    camera.complain("fit = false needs eye_m and target_m, two different points");
+  if (view.camera.fit && (view.camera.eye_m || view.camera.target_m)) camera.complain("eye_m and target_m need fit = false");
+  check_ramp(table("crust"), "skin", view.crust.skin);
+  check_ramp(table("crust"), "crumb", view.crust.crumb);
+}
+
+void check(const SceneEntry& entry, const ObjectSettings& object) {
+  if (object.cut_point_m.has_value() != object.cut_normal.has_value()) entry.complain("a cut needs both cut_point_m and cut_normal");
+  if (object.cut_normal && is_zero(*object.cut_normal)) entry.find("cut_normal")->complain("found no direction, allowed: not all zero");
+  if (object.range_low && object.range_high && *object.range_low >= *object.range_high)
+    entry.complain(fmt::format("found range_low {} and range_high {}, allowed: a rising range", *object.range_low, *object.range_high));
+}
+
+void read_objects(const SceneEntry& list, View& view) {
+  if (!list.node().is_array()) list.refuse("tables under [[object]]");
+  for (const SceneEntry& entry : list.elements()) {
+    view.objects.push_back(read_table<ObjectSettings>(entry));
+    check(entry, view.objects.back());
+  }
+}
+
+std::string read_all(const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file))
+    throw InputError(fmt::format("{}: no such file, allowed: a view in TOML", quotable_path(file)));
+  std::ifstream stream(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream.is_open() || stream.bad()) throw InputError(fmt::format("{}: cannot be read", quotable_path(file)));
+  return text;
+}
+
+template <Declared T>
+std::string explained(const std::string& heading, const std::string& meaning) {
+  std::string text = fmt::format("{}: {}\n", heading, meaning);
+  const T fresh{};
+  for_each_parameter<T>([&](const auto& parameter) {
+    const nlohmann::json value = json_value(fresh.*parameter.member);
+    std::string standard = value.is_null() || value == "" ? "none" : toml_text(value);
+    if (standard.size() > 40) standard = "a ramp";
+    text += fmt::format("  {:<26} {:<8} {}; default {}\n", parameter.key, parameter.unit, parameter.meaning, standard);
+  });
+  return text;
+}
+
+}  // namespace
+
+View parse_view(std::string_view text, const std::filesystem::path& name, const std::vector<std::string>& overrides) {
+  const Document document{quotable_path(name), name.parent_path()};
+  toml::table table = parse_toml(text, document.name);
+  for (const std::string& text_of_override : overrides) apply_override(table, text_of_override);
+  const SceneEntry root(document, table);
+  std::vector<std::string> known = {"object"};
+  std::apply([&](const auto&... t) { (known.emplace_back(t.name), ...); }, k_tables);
+  root.refuse_unknown(known);
+
+  View view;
+  view.file = name;
+  const auto read = [&]<class T>(const ViewTable<T>& t) {
+    if (const auto entry = root.find(t.name)) view.*t.member = read_table<T>(*entry);
+  };
+  std::apply([&](const auto&... t) { (read(t), ...); }, k_tables);
+  check(root, view);
+  if (const auto objects = root.find("object")) read_objects(*objects, view);
+  if (view.objects.empty()) view.objects.emplace_back();
+  return view;
+}
+
+View read_view(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return parse_view(read_all(file), file, overrides);
+}
+
+std::string explain_view() {
+  std::string text;
+  const auto add = [&]<class T>(const ViewTable<T>& t) { text += explained<T>(fmt::format("[{}]", t.name), t.meaning); };
+  std::apply([&](const auto&... t) { (add(t), ...); }, k_tables);
+  return text + explained<ObjectSettings>("[[object]]", "one for each file on the command line, in order; none is like one with defaults");
+}
+
+}  // namespace bake

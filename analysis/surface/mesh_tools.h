@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What pictures need to do to meshes.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "solver/io/mesh_file.h"
+
+namespace bake {
+
+/// The triangles of which a mesh of tetrahedra has only one, turned outwards, with the fields of their vertices.
+Mesh boundary_of_tetrahedra(const Mesh& tetrahedra);
+
+/// Normals at the corners of each triangle: the mean, weighted by area, over those triangles around the vertex whose normals are within
+/// `crease_deg` of the triangle's own. Edges that are sharper stay sharp.
+std::vector<std::array<Eigen::Vector3f, 3>> corner_normals(const Mesh& triangles, double crease_deg);
+
+struct CutMesh {
+  Mesh kept;
+  Mesh face;  ///< on the plane, in triangles with no edge longer than was asked for, without fields; may be empty
+};
+
+/// The part of a closed surface behind a plane (against its normal, which need not have length 1), and the face that closes it again.
+/// Throws std::invalid_argument if the normal is zero.
+CutMesh cut(const Mesh& triangles, const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double longest_edge_m);
+
+}  // namespace bake

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/surface/particles.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "solver/io/frames.h"
+#include "solver/io/hdf5.h"
+#include "solver/scene/input_error.h"
+
+namespace bake {
+namespace {
+
+void check(const std::filesystem::path& path, const Particles& particles) {
+  if (particles.count() == 0) throw InputError(fmt::format("{}: found no particle, allowed: at least one", path.string()));
+  const auto bad = [](float x) { return !std::isfinite(x); };
+  if (std::any_of(particles.positions.begin(), particles.positions.end(), bad))
+    throw InputError(fmt::format("{}: found a position that is not finite", path.string()));
+  if (std::any_of(particles.volumes.begin(), particles.volumes.end(), [](float v) { return !(v > 0) || std::isinf(v); }))
+    throw InputError(fmt::format("{}: found a volume that is not finite and positive", path.string()));
+}
+
+}  // namespace
+
+const MeshField* Particles::find(std::string_view name) const {
+  const auto found = std::find_if(fields.begin(), fields.end(), [&](const MeshField& field) { return field.name == name; });
+  return found == fields.end() ? nullptr : &*found;
+}
+
+float Particles::spacing() const {
+  std::vector<float> sorted = volumes;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  return std::cbrt(*middle);
+}
+
+Particles read_particles_of_frame(const std::filesystem::path& path) {
+  const FrameReader frame(path);
+  const Hdf5Reader file(path);
+  Particles particles;
+  particles.time_s = frame.time_s();
+  particles.positions = frame.positions();
+  particles.volumes = frame.column("volume");
+  if (frame.has("id")) particles.ids = frame.identities();
+  for (const std::string& name : file.names("VTKHDF/PointData")) {
+    const std::string dataset = "VTKHDF/PointData/" + name;
+    const auto shape = file.shape(dataset);
+    const std::size_t components = shape.size() == 1 ? 1 : shape.at(1);
+    if (name == "id" || name == "volume" || (components != 1 && name != "velocity")) continue;
+    const std::vector<float> values = frame.column(name, components);
+    const std::string unit = file.has_attribute(dataset, "unit") ? file.attribute<std::string>(dataset, "unit") : std::string();
+    particles.fields.push_back({name, unit, components, {values.begin(), values.end()}});
+  }
+  check(path, particles);
+  return particles;
+}
+
+}  // namespace bake

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The particles of a frame with all their scalar fields, as pictures and surfaces need them.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "solver/io/mesh_file.h"
+
+namespace bake {
+
+struct Particles {
+  double time_s = 0;
+  std::vector<float> positions;   ///< x, y, z of each [m]
+  std::vector<float> volumes;     ///< [m^3]
+  std::vector<std::int64_t> ids;  ///< empty if the file has none
+  std::vector<MeshField> fields;  ///< all scalars of the frame but volume, and velocity
+
+  std::size_t count() const { return positions.size() / 3; }
+  const MeshField* find(std::string_view name) const;
+  /// Typical distance of neighbours: cube root of the median volume [m].
+  float spacing() const;
+};
+
+/// Throws InputError: missing, damaged, no frame, no particle, no volumes, or a position or volume that is not finite.
+Particles read_particles_of_frame(const std::filesystem::path& path);
+
+}  // namespace bake
