@@ -4,17 +4,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <functional>
 #include <string>
 
+#include "solver/cli/program.h"
 #include "solver/scene/scene.h"
 
 namespace bake::cli {
-
-/// What the program's exit codes mean.
-enum ExitCode { k_success = 0, k_failed_check = 1, k_wrong_use = 2, k_failed_run = 3 };
-
-using Action = std::function<int()>;
 
 void add_run_command(CLI::App& app, Action& action);
 void add_scene_commands(CLI::App& app, Action& action);  ///< list, info, validate
@@ -28,8 +23,5 @@ std::string version_line();
 
 /// Where the results of a scene go unless told otherwise: results/<scene>-<quality>.
 std::filesystem::path default_results(const Scene& scene);
-
-/// The option --quality, which fills `quality`.
-void add_quality_option(CLI::App& command, Quality& quality);
 
 }  // namespace bake::cli

@@ -68,9 +68,7 @@ void add_run_command(CLI::App& app, Action& action) {
   threads->type_name("N")->check(CLI::Range(1, 4096));
   command.add_option("--precision", arguments->precision, "floating-point numbers, instead of the scene's")
       ->check(CLI::IsMember({"single", "double"}));
-  command.add_option("--set", arguments->overrides, "override any scene key (see `bake explain`); can be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+  add_set_option(command, arguments->overrides);
   command.add_flag("--resume", arguments->options.resume, "continue from the newest checkpoint in the folder of the results");
   command.add_flag("--quiet", arguments->options.quiet, "print errors only");
   command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });

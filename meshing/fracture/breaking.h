@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "meshing/fracture/topology.h"
+
+namespace bake {
+
+/// When an edge between two particles counts as broken. [Wang et al. 2019, "Simulation and visualization of ductile fracture with the
+/// material point method", leave the threshold open]
+struct BreakingRule {
+  /// Length over its length at the reference time. Dough that rises to three times its volume stretches by 3^(1/3) = 1.44, and unevenly.
+  double stretch = 2;
+  /// Length [m]. Particles share nodes of a quadratic spline until they are three nodes apart; half of that is where they hardly
+  /// move each other any more.
+  double smallest_gap_m = 0;
+};
+
+/// Follows the edges of a mesh over the frames of a run. An edge breaks if both bounds are exceeded in two frames that follow each other,
+/// and never heals.
+class Breaking {
+ public:
+  /// `reference`: positions of the vertices at the reference time.
+  Breaking(const Topology& topology, const std::vector<Point>& reference, const BreakingRule& rule);
+  /// To be called for every frame in order.
+  void advance(int frame, const std::vector<Point>& positions);
+  /// For each edge the frame at which it broke; -1 if it is whole.
+  const std::vector<std::int32_t>& broken_at() const { return broken_at_; }
+
+ private:
+  const Topology& topology_;
+  std::vector<float> limits_;  ///< of the squared lengths [m^2]
+  std::vector<char> beyond_;   ///< at the frame before
+  std::vector<std::int32_t> broken_at_;
+};
+
+/// For each vertex the number of its piece, along whole edges; pieces are numbered by their number of vertices, the largest first.
+std::vector<std::int32_t> pieces(const Topology& topology, const std::vector<std::int32_t>& broken_at);
+
+}  // namespace bake

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What there is to say of a cut surface: its cracks, its pieces, whether they are closed.
+#pragma once
+
+#include <vector>
+
+#include "meshing/fracture/cut.h"
+
+namespace bake {
+
+/// Crack surface that hangs together, in the reference mesh; one of its two sides is counted.
+struct Crack {
+  double area_m2 = 0;
+  double length_m = 0;  ///< extent along the direction in which it is longest
+  Point centre_m{0, 0, 0};
+  Point low_m{0, 0, 0}, high_m{0, 0, 0};  ///< its box
+};
+
+/// The cracks, the largest first. `points`: of the nodes, in the reference mesh.
+std::vector<Crack> cracks(const CutSurface& surface, const std::vector<Point>& points);
+
+struct Piece {
+  std::size_t vertices = 0;
+  double volume_m3 = 0;  ///< enclosed
+  bool closed = true;    ///< every edge of a triangle has its opposite
+};
+
+/// `piece_of`: for each vertex of the mesh the number of its piece; `points`: of the nodes.
+std::vector<Piece> take_census(const CutSurface& surface, const std::vector<std::int32_t>& piece_of, const std::vector<Point>& points);
+
+}  // namespace bake

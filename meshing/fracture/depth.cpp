@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshing/fracture/depth.h"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+
+namespace bake {
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Triangles = std::vector<Kernel::Triangle_3>;
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+using AabbTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
+Kernel::Point_3 cgal(const Point& x) { return {x[0], x[1], x[2]}; }
+
+Triangles boundary_of(const Topology& topology) {
+  const auto& [points, tets] = topology.mesh;
+  Triangles triangles;
+  for (const auto& [t, corner] : topology.boundary) {
+    const auto& f = k_faces[corner];
+    triangles.emplace_back(cgal(points[tets[t][f[0]]]), cgal(points[tets[t][f[1]]]), cgal(points[tets[t][f[2]]]));
+  }
+  return triangles;
+}
+
+}  // namespace
+
+struct Depth::Tree {
+  Triangles triangles;
+  AabbTree tree;
+};
+
+Depth::Depth(const Topology& topology) : tree_(std::make_unique<Tree>()) {
+  tree_->triangles = boundary_of(topology);
+  tree_->tree.insert(tree_->triangles.begin(), tree_->triangles.end());
+  tree_->tree.accelerate_distance_queries();
+}
+
+Depth::~Depth() = default;
+
+double Depth::operator()(const Point& x) const { return std::sqrt(tree_->tree.squared_distance(cgal(x))); }
+
+}  // namespace bake

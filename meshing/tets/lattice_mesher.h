@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tetrahedra between the points of a body-centred cubic lattice whose outermost points are moved onto the surface.
+//
+// The lattice is turned so that it is aligned with no grid of the simulation; it has no cospherical ties, and the volumes of inner
+// vertices are even (standard deviation 3 to 4 % of the mean). Points within half a neighbour distance of the surface go to their foot
+// on it, or to a crease or corner if one is near [cf. Labelle, Shewchuk 2007, "Isosurface stuffing"]. Of the Delaunay tetrahedra those
+// inside are kept.
+#pragma once
+
+#include "meshing/tets/tet_mesh.h"
+
+namespace bake {
+
+/// Volume of a solid [m^3] to about a thousandth, by counting cells; those cut by the surface by the share that is inside.
+/// Throws InputError if the solid has no finite bounds or no inside.
+double solid_volume(const Shape& solid);
+
+/// Fills the solid with `target` vertices, to 1 % or as near as its shape lets come. Throws InputError if that is too few to make
+/// a mesh of, or if the solid has no finite bounds or no inside.
+TetMesh lattice_tets(const Shape& solid, std::size_t target);
+
+}  // namespace bake

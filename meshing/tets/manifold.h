@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "meshing/tets/tet_mesh.h"
+
+namespace bake {
+
+/// Drops further tetrahedra of a selection until its boundary is a surface: the selected tetrahedra at each vertex and each edge hang
+/// together through faces, all but the largest group (by volume) go; and so do shreds, groups without an inner vertex.
+/// `kept` has a 1 for each tetrahedron that is selected. Depends on the input alone.
+void drop_until_manifold(const std::vector<Point>& points, const std::vector<Tet>& tets, const std::vector<Tet>& neighbours,
+                         std::vector<char>& kept);
+
+}  // namespace bake

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "meshing/tets/lattice_mesher.h"
+#include "meshing/tets/surface_foot.h"
+#include "solver/boundary/vector3.h"
+#include "solver/scene/input_error.h"
+#include "tests/unit/meshing/solids.h"
+
+namespace bake {
+namespace {
+
+struct NamedSolid {
+  const char* name;
+  ShapePtr solid;
+  double volume;  ///< [m^3]; 0: not known on paper
+  std::size_t target;
+};
+
+class ASolid : public testing::TestWithParam<NamedSolid> {};
+
+/// Every vertex has tetrahedra, the boundary is closed, volumes are positive and add up.
+void expect_sound(const TetMesh& mesh) {
+  const TetQuality quality = tet_quality(mesh);
+  EXPECT_EQ(quality.odd_edges, 0u);
+  EXPECT_EQ(quality.loose, 0u);
+  const std::vector<double> volumes = vertex_volumes(mesh);
+  EXPECT_GT(*std::min_element(volumes.begin(), volumes.end()), 0);
+  EXPECT_NEAR(std::accumulate(volumes.begin(), volumes.end(), 0.0), quality.volume, 1e-12 * quality.volume);
+  for (const Tet& tet : mesh.tets) ASSERT_GT(tet_volume(mesh.points, tet), 0);
+}
+
+TEST_P(ASolid, IsFilledWithTheVerticesAskedForAndWatertight) {
+  const auto& [name, solid, volume, target] = GetParam();
+  const TetMesh mesh = lattice_tets(*solid, target);
+  EXPECT_NEAR(static_cast<double>(mesh.points.size()), static_cast<double>(target), 0.02 * static_cast<double>(target));
+  expect_sound(mesh);
+  const double expected = volume > 0 ? volume : solid_volume(*solid);
+  EXPECT_NEAR(volume_of(mesh), expected, 0.02 * expected);
+  for (const Point& x : mesh.points) ASSERT_LT(solid->distance(x), 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Tets, ASolid,
+                         testing::Values(NamedSolid{"ball", ball(), 4.0 / 3 * M_PI * 1e-3, 5000},
+                                         NamedSolid{"brick", brick(), 8 * 0.00048, 5000}, NamedSolid{"coarse_brick", brick(), 0, 400},
+                                         NamedSolid{"slit_loaf", slit_loaf(), 0, 9000},
+                                         NamedSolid{"two_balls",
+                                                    make_union({ball(), make_transformed(ball(), 0.7, {0, 0, 0}, {0.3, 0, 0})}),
+                                                    4.0 / 3 * M_PI * 1e-3 * 1.343, 4000}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST(Tets, OfABallHaveVerticesOfEvenVolume) {
+  const TetQuality quality = tet_quality(lattice_tets(*ball(), 20000));
+  EXPECT_LT(quality.inner_spread, 0.06);
+  EXPECT_GT(quality.inner_spread, 0.001);
+}
+
+TEST(Tets, AreTheSameEveryTime) {
+  const TetMesh a = lattice_tets(*slit_loaf(), 3000), b = lattice_tets(*slit_loaf(), 3000);
+  EXPECT_EQ(a.points, b.points);
+  EXPECT_EQ(a.tets, b.tets);
+}
+
+TEST(Tets, OfABoxReachItsEdgesAndCorners) {
+  const TetMesh mesh = lattice_tets(*brick(), 5000);
+  int corners = 0, edges = 0;
+  for (const Point& x : mesh.points) {
+    const int faces = (std::abs(x[0]) > 0.0999) + (std::abs(x[1]) > 0.0799) + (std::abs(x[2]) > 0.0599);
+    corners += faces == 3;
+    edges += faces == 2;
+  }
+  EXPECT_GE(corners, 6);  // of 8
+  EXPECT_GE(edges, 100);
+}
+
+std::string error_of(const Shape& solid, std::size_t target) {
+  try {
+    lattice_tets(solid, target);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+TEST(Tets, OfWhatCannotBeFilledAreRefused) {
+  EXPECT_EQ(error_of(*below(0), 1000), "the shape has no end: it cannot be meshed");
+  const ShapePtr apart = make_intersection({ball(), make_transformed(ball(), 1, {0, 0, 0}, {1, 0, 0})});
+  EXPECT_EQ(error_of(*apart, 1000), "the shape is empty: no point of its bounds is inside");
+  EXPECT_EQ(error_of(*ball(), 4), "4 vertices are too few to fill the shape with tetrahedra");
+}
+
+TEST(SurfaceFoot, IsOnTheSurfaceAndNear) {
+  const ShapePtr loaf = slit_loaf();
+  for (const Point& x : {Point{0.3, 0.1, 0.2}, Point{-0.1, 0.2, 0.19}, Point{0.02, 0, 0.12}}) {
+    const auto foot = foot_on_surface(*loaf, x, 1e-9, 0.2);
+    ASSERT_TRUE(foot);
+    EXPECT_LT(std::abs(loaf->distance(*foot)), 1e-9);
+  }
+  EXPECT_FALSE(foot_on_surface(*loaf, {0, 0, 2}, 1e-9, 0.2));
+}
+
+TEST(SurfaceFoot, FindsCreasesAndCornersButNotBends) {
+  const ShapePtr box = brick();
+  const Sharpest edge = sharpest_near(*box, {0.095, 0.08, 0.01}, 0.02), corner = sharpest_near(*box, {0.095, 0.08, 0.055}, 0.02);
+  EXPECT_EQ(edge.faces, 2);
+  EXPECT_LT(length(edge.at - Point{0.1, 0.08, edge.at[2]}), 1e-6);
+  EXPECT_EQ(corner.faces, 3);
+  EXPECT_LT(length(corner.at - Point{0.1, 0.08, 0.06}), 1e-6);
+  EXPECT_EQ(sharpest_near(*box, {0.05, 0.08, 0.01}, 0.02).faces, 1);
+  EXPECT_EQ(sharpest_near(*ball(0.02), {0.02, 0, 0}, 0.02).faces, 1) << "round, if strongly";
+}
+
+}  // namespace
+}  // namespace bake
