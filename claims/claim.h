@@ -14,6 +14,8 @@
 #include <functional>
 
 #include "claims/reference.h"
+#include "solver/scene/entry.h"
+#include "solver/scene/input_error.h"
 
 namespace bake {
 

@@ -44,6 +44,7 @@ int run_command_line(std::vector<std::string> arguments) {
   add_scene_commands(app, action);
   add_compare_command(app, action);
   add_check_commands(app, action);
+  add_figure_commands(app, action);
   add_study_command(app, action);
   add_help_commands(app, action);
   app.footer("Through the script ./bake there are also the commands test and bench, and --no-install.");
