@@ -64,13 +64,13 @@ Expectation expectation_of(const Claim& claim) {
   return {claim.metric, claim.kind, claim.expected, claim.tolerance, claim.at_least, claim.at_most, claim.why};
 }
 
-ClaimVerdict verdict(const Claim& claim, const std::string& unit, const std::string& of, double measured) {
-  return {claim.metric, of, unit, "", claim.why, claim.kind, measured, false};
+ClaimVerdict verdict(const Claim& claim, const MetricWords& words, const std::string& of, double measured) {
+  return {claim.metric, words.meaning, of, words.unit, "", claim.why, claim.kind, measured, false};
 }
 
 /// Against a number, or against another run.
-ClaimVerdict judge_one(const Claim& claim, const std::string& unit, const std::string& of, const Measure& measure) {
-  ClaimVerdict v = verdict(claim, unit, of, measure(claim, of));
+ClaimVerdict judge_one(const Claim& claim, const MetricWords& words, const std::string& of, const Measure& measure) {
+  ClaimVerdict v = verdict(claim, words, of, measure(claim, of));
   if (claim.greater_than.empty()) {
     v.condition = expectation_of(claim).words();
     v.holds = expectation_of(claim).holds(v.measured);
@@ -84,10 +84,10 @@ ClaimVerdict judge_one(const Claim& claim, const std::string& unit, const std::s
 }
 
 /// Each against the one before it.
-std::vector<ClaimVerdict> judge_order(const Claim& claim, const std::string& unit, const Measure& measure) {
+std::vector<ClaimVerdict> judge_order(const Claim& claim, const MetricWords& words, const Measure& measure) {
   std::vector<ClaimVerdict> verdicts;
   for (const std::string& of : claim.of) {
-    ClaimVerdict v = verdict(claim, unit, of, measure(claim, of));
+    ClaimVerdict v = verdict(claim, words, of, measure(claim, of));
     const char* sign = *claim.order == Order::rising ? ">" : "<";
     v.condition = verdicts.empty() ? "first of the list" : fmt::format("{} {}", sign, verdicts.back().of);
     v.holds = std::isfinite(v.measured);
@@ -114,11 +114,11 @@ Claim read_claim(const SceneEntry& entry, const std::vector<std::string>& comput
   return claim;
 }
 
-std::vector<ClaimVerdict> judge(const Claim& claim, const std::string& unit, const Measure& measure) {
-  if (claim.order) return judge_order(claim, unit, measure);
-  if (claim.of.empty()) return {judge_one(claim, unit, "", measure)};
+std::vector<ClaimVerdict> judge(const Claim& claim, const MetricWords& words, const Measure& measure) {
+  if (claim.order) return judge_order(claim, words, measure);
+  if (claim.of.empty()) return {judge_one(claim, words, "", measure)};
   std::vector<ClaimVerdict> verdicts;
-  for (const std::string& of : claim.of) verdicts.push_back(judge_one(claim, unit, of, measure));
+  for (const std::string& of : claim.of) verdicts.push_back(judge_one(claim, words, of, measure));
   return verdicts;
 }
 

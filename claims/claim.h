@@ -57,17 +57,22 @@ Claim read_claim(const SceneEntry& entry, const std::vector<std::string>& comput
 
 /// One line of the table of claims.
 struct ClaimVerdict {
-  std::string metric, of, unit, condition, why;
+  std::string metric, meaning, of, unit, condition, why;
   Evidence kind;
   double measured;
   bool holds;
+};
+
+/// Unit and meaning of what is measured.
+struct MetricWords {
+  std::string unit, meaning;
 };
 
 /// Measures a metric of a run or surface of that name, or what the item's function gives if `of` is empty.
 using Measure = std::function<double(const Claim& claim, const std::string& of)>;
 
 /// One verdict per run; one for the whole list if the claim is an order.
-std::vector<ClaimVerdict> judge(const Claim& claim, const std::string& unit, const Measure& measure);
+std::vector<ClaimVerdict> judge(const Claim& claim, const MetricWords& words, const Measure& measure);
 
 /// For people, like the table of `bake check`.
 std::string table(const std::vector<ClaimVerdict>& verdicts);

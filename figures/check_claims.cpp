@@ -35,12 +35,15 @@ class Measured {
   std::map<std::string, Fracture> surfaces_;
 };
 
-std::string unit_of(const Claim& claim, const Computed& computed) {
-  return claim.of.empty() ? find_named(computed.numbers, claim.metric)->unit : find_metric(claim.metric).unit;
+MetricWords words_of(const Claim& claim, const Computed& computed) {
+  if (!claim.of.empty()) return {find_metric(claim.metric).unit, find_metric(claim.metric).meaning};
+  const ComputedNumber& number = *find_named(computed.numbers, claim.metric);
+  return {number.unit, number.meaning};
 }
 
 nlohmann::json json_of(const ClaimVerdict& v) {
   return {{"metric", v.metric},
+          {"meaning", v.meaning},
           {"of", v.of},
           {"measured", v.measured},
           {"unit", v.unit},
@@ -86,7 +89,7 @@ std::vector<ClaimVerdict> check_claims(const Place& place, const Computed& compu
   Measured measured(place, computed);
   std::vector<ClaimVerdict> verdicts;
   for (const Claim& claim : place.figure.claims)
-    for (ClaimVerdict& v : judge(claim, unit_of(claim, computed), std::ref(measured))) verdicts.push_back(std::move(v));
+    for (ClaimVerdict& v : judge(claim, words_of(claim, computed), std::ref(measured))) verdicts.push_back(std::move(v));
   return verdicts;
 }
 

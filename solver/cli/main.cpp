@@ -45,9 +45,10 @@ int run_command_line(std::vector<std::string> arguments) {
   add_compare_command(app, action);
   add_check_commands(app, action);
   add_figure_commands(app, action);
+  add_report_command(app, action);
   add_study_command(app, action);
   add_help_commands(app, action);
-  app.footer("Through the script ./bake there are also the commands test and bench, and --no-install.");
+  app.footer("Through the script ./bake there are also the commands test, bench, mesh and render, and --no-install.");
 
   check_command(app, arguments);
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back

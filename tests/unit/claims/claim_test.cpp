@@ -20,7 +20,7 @@ Claim claim(std::vector<std::string> of) {
 
 std::vector<bool> holds(const Claim& c, std::map<std::string, double> values) {
   std::vector<bool> all;
-  for (const auto& v : judge(c, "1", [&](const Claim&, const std::string& of) { return values.at(of); })) all.push_back(v.holds);
+  for (const auto& v : judge(c, {"1", "x"}, [&](const Claim&, const std::string& of) { return values.at(of); })) all.push_back(v.holds);
   return all;
 }
 
@@ -53,7 +53,7 @@ TEST(AClaim, OfAnOrderHoldsOnlyIfEveryStepDoes) {
 TEST(AClaim, IsPrintedWithItsReasonIfItIsMissed) {
   Claim c = claim({"loaf"});
   c.at_most = 1;
-  const auto text = table(judge(c, "1", [](const Claim&, const std::string&) { return 2.0; }));
+  const auto text = table(judge(c, {"1", "x"}, [](const Claim&, const std::string&) { return 2.0; }));
   EXPECT_NE(text.find("volume_gain of loaf"), std::string::npos) << text;
   EXPECT_NE(text.find("MISSED: figure 15"), std::string::npos) << text;
 }
