@@ -27,10 +27,21 @@ ReadFigure read_figure(const Items& items, const Item& item) {
   return {read_figure(items.figure_file_of(item), names_of(computed)), std::move(computed)};
 }
 
+namespace {
+
+/// Before hours of simulation.
+void check_programs(const Place& place) {
+  const auto& runs = place.figure.runs;
+  if (std::any_of(runs.begin(), runs.end(), [](const FigureRun& run) { return run.mesh; })) find_program("bake-mesh");
+  if (place.options.pictures && place.options.only_run.empty() && !place.figure.pictures.empty()) find_program("bake-render");
+}
+
+}  // namespace
+
 MadeFigure make_figure(const Items& items, const Item& item, const MakeOptions& options) {
   const auto [figure, computed] = read_figure(items, item);
   const Place place{item, figure, options};
-  if (options.pictures && !figure.pictures.empty() && options.only_run.empty()) find_program("bake-render");  // before hours of simulation
+  check_programs(place);
   make_runs(place);
   if (!options.only_run.empty()) return {{}, {}, place.run(options.only_run)};
   make_surfaces(place);

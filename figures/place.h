@@ -12,6 +12,8 @@ struct MakeOptions {
   int threads = 0;       ///< 0: all cores
   std::string only_run;  ///< this run and nothing else; empty: all
   bool pictures = true;
+  std::string size;  ///< of pictures, "640x480"; empty: as the view says
+  int samples = 0;   ///< paths of light per pixel; 0: as the view says
   bool quiet = false;
 };
 

@@ -48,12 +48,14 @@ int list_figures() {
   return k_success;
 }
 
-/// One line `<item> <run>` for every run of every item that is done: for programs that hand runs out.
+/// One line `<item> <run>` for every run of every item that is done, `<item>` alone if it has none: for programs that hand runs out.
 int list_runs() {
   const Items items = read_items(items_root(BAKE_SOURCE_DIR));
   for (const Item& item : items.items) {
     if (item.status != ItemStatus::done) continue;
-    for (const FigureRun& run : read_figure(items, item).figure.runs) fmt::print("{} {}\n", item.name, run.name);
+    const auto runs = read_figure(items, item).figure.runs;
+    if (runs.empty()) fmt::print("{}\n", item.name);
+    for (const FigureRun& run : runs) fmt::print("{} {}\n", item.name, run.name);
   }
   return k_success;
 }

@@ -11,10 +11,10 @@ namespace {
 
 Claim claim(std::vector<std::string> of) {
   Claim c;
-  c.metric = "volume_gain";
+  c.metric = std::string("volume_gain");
   c.of = std::move(of);
   c.kind = Evidence::published;
-  c.why = "figure 15";
+  c.why = std::string("figure 15");
   return c;
 }
 
@@ -32,7 +32,7 @@ TEST(AClaim, HoldsForEachOfItsRunsByItself) {
 
 TEST(AClaim, ComparesWithAnotherRunTimesAFactor) {
   Claim c = claim({"a"});
-  c.greater_than = "b";
+  c.greater_than = std::string("b");
   c.factor = 1.5;
   EXPECT_EQ(holds(c, {{"a", 3.1}, {"b", 2}}), std::vector{true});
   EXPECT_EQ(holds(c, {{"a", 3}, {"b", 2}}), std::vector{false});
