@@ -92,10 +92,10 @@ TEST_F(FigureFile, IsReadWhole) {
 }
 
 TEST_F(FigureFile, RefusesNamesOfNothing) {
-  EXPECT_EQ(error_of("\"loaf\"", "\"laof\"").substr(0, 47), "figure.toml:5: run.0.scene: found 'laof', allowe");
+  EXPECT_EQ(error_of("\"loaf\"", "\"laof\"").substr(0, 47), "figure.toml:5: run.0.scene: found 'laof', allow");
   EXPECT_EQ(error_of("run = \"slit\"", "run = \"slot\""), "figure.toml:13: surface.0.run: unknown run 'slot'; did you mean 'slit'?");
   EXPECT_EQ(error_of("run = \"slit\"", "run = \"plain\""), "figure.toml:13: surface.0.run: found 'plain', allowed: a run with mesh = true");
-  EXPECT_EQ(error_of("\"side\"", "\"seite\"").substr(0, 46), "figure.toml:19: picture.0.view: found 'seite', ");
+  EXPECT_EQ(error_of("\"side\"", "\"seite\"").substr(0, 46), "figure.toml:19: picture.0.view: found 'seite',");
   EXPECT_EQ(error_of("\"torn\"]", "\"tron\"]"), "figure.toml:20: picture.0.of: unknown run or surface 'tron'; did you mean 'torn'?");
   EXPECT_EQ(error_of("\"slit\"]", "\"torn\"]"), "figure.toml:25: chart.0.of: unknown run 'torn'; allowed: plain, slit");
   EXPECT_EQ(error_of("distance_gain", "distance_gian"),

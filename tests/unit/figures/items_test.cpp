@@ -72,7 +72,7 @@ TEST_F(ItemsFile, RefusesLinksThatLeadNowhere) {
             "items.toml:7: item.0.scenes: found 'biscuit', allowed: a scene in experiments/fig03_cookies");
   EXPECT_EQ(error_of("scene only", "done"), "items.toml:6: item.0.status: found done without experiments/fig03_cookies/figure.toml");
   EXPECT_EQ(error_of("\"teaching\"", "\"training\""),
-            "items.toml:19: other.0.experiment: found 'training', allowed: a folder in experiments");
+            "items.toml:18: other.0.experiment: found 'training', allowed: a folder in experiments");
 }
 
 TEST_F(ItemsFile, RefusesAnExperimentThatNobodyNames) {
