@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "claims/table.h"
 #include "solver/io/atomic_file.h"
 #include "solver/scene/input_error.h"
 #include "solver/scene/nearest.h"
@@ -60,7 +61,8 @@ Expectation read_expectation(const Entry& entry) {
   Expectation e{entry.text("name"),       entry.choice<Evidence>("kind"), entry.number("expected"), entry.number("tolerance"),
                 entry.number("at_least"), entry.number("at_most"),        entry.text("why")};
   try {
-    find_metric(e.name);
+    const Metric& metric = find_metric(e.name);
+    if (!metric.of_run || !metric.needs.empty()) throw InputError(fmt::format("'{}' cannot be measured of a run alone", e.name));
   } catch (const InputError& error) {
     entry.complain("name", error.what());
   }
@@ -130,18 +132,16 @@ void write_reference(const Reference& reference) {
 
 std::vector<Verdict> check(const Reference& reference, const Results& results) {
   std::vector<Verdict> verdicts;
-  for (const Expectation& e : reference.metrics) verdicts.push_back({e, find_metric(e.name).measure(results)});
+  for (const Expectation& e : reference.metrics) verdicts.push_back({e, find_metric(e.name).of_run(results, {})});
   return verdicts;
 }
 
 std::string table(const std::vector<Verdict>& verdicts) {
-  std::string text = fmt::format("  {:<20} {:>12} {:<6} {:<22} {:<10}  {}\n", "metric", "measured", "unit", "expected", "kind", "verdict");
+  std::vector<TableRow> rows;
   for (const Verdict& v : verdicts)
-    text +=
-        fmt::format("  {:<20} {:>12.6g} {:<6} {:<22} {:<10}  {}\n", v.expectation.name, v.measured, find_metric(v.expectation.name).unit,
-                    v.expectation.words(), choice_names(v.expectation.kind)[static_cast<std::size_t>(v.expectation.kind)],
-                    v.holds() ? "holds" : "MISSED: " + v.expectation.why);
-  return text;
+    rows.push_back({v.expectation.name, v.measured, find_metric(v.expectation.name).unit, v.expectation.words(), v.expectation.kind,
+                    v.holds(), v.expectation.why});
+  return table(rows);
 }
 
 }  // namespace bake

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "claims/results.h"
+#include "claims/metric.h"
 #include "solver/scene/settings.h"
 
 namespace bake {

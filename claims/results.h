@@ -4,9 +4,11 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "solver/io/frames.h"
 #include "solver/io/ledger_file.h"
 
 namespace bake {
@@ -20,6 +22,11 @@ class Results {
   const nlohmann::json& description() const { return description_; }  ///< run.json
   /// A column of the ledger, one number a frame. Throws InputError if there is none of that name.
   std::vector<double> column(std::string_view name) const;
+  /// Number of the frame nearest to a time, of the last one if none is given.
+  int frame_at(std::optional<double> time_s) const;
+  /// Throws InputError if the frame is missing or damaged.
+  FrameReader frame(int number) const;
+  const std::filesystem::path& folder() const { return folder_; }
   double first(std::string_view name) const { return column(name).front(); }
   double last(std::string_view name) const { return column(name).back(); }
   /// Largest distance of the sum of columns from its first value, over all frames: what the books do not explain.
@@ -30,16 +37,5 @@ class Results {
   nlohmann::json description_;
   Ledger ledger_;
 };
-
-/// A number that is measured of a run.
-struct Metric {
-  const char* name;
-  const char* unit;
-  const char* meaning;
-  double (*measure)(const Results&);
-};
-
-/// The metric of that name. Throws InputError, with the nearest known name.
-const Metric& find_metric(std::string_view name);
 
 }  // namespace bake

@@ -9,13 +9,11 @@
 #include <nlohmann/json.hpp>
 
 #include "claims/reference.h"
-#include "solver/baker/run.h"
+#include "solver/baker/kept_run.h"
 #include "solver/cli/commands.h"
 #include "solver/cli/scene_files.h"
-#include "solver/io/provenance.h"
 #include "solver/scene/nearest.h"
 #include "solver/scene/reader.h"
-#include "solver/scene/resolved.h"
 
 namespace bake::cli {
 namespace {
@@ -54,31 +52,14 @@ Reference reference_of(const Results& results, const fs::path& folder) {
                                folder.string(), scene.string(), quality));
 }
 
-/// Was the folder's run made by this very program from this very scene?
-bool is_current(const Results& results, const Scene& scene) {
-  const nlohmann::json now = provenance()["program"],
-                       then = results.description().value("/provenance/program"_json_pointer, nlohmann::json());
-  return now["dirty"].is_boolean() && !now["dirty"].get<bool>() && now == then &&
-         results.description().value("scene", nlohmann::json()) == resolved(scene);
-}
-
-/// The results of the reference's scene: those that are there if they are current, else of a new run.
+/// The results of the reference's scene, of which only what is missing is run.
 Results results_of(const Reference& reference, fs::path folder, bool quiet) {
   const Scene scene = read_scene(find_scene(reference.scene), {reference.quality, {}});
-  if (folder.empty()) folder = default_results(scene);
-  if (fs::exists(folder / "run.json")) {
-    try {
-      Results results(folder);
-      if (is_current(results, scene)) return results;
-    } catch (const InputError&) {
-      // not done, or not a run: it is made anew
-    }
-  }
   RunOptions options;
-  options.out = folder;
+  options.out = folder.empty() ? default_results(scene) : folder;
   options.quiet = quiet;
-  if (run_scene(scene, options).interrupted) throw RunError("interrupted; go on with bake run --resume");
-  return Results(folder);
+  complete_run(scene, options);
+  return Results(options.out);
 }
 
 struct CheckArguments {

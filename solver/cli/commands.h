@@ -12,8 +12,10 @@
 namespace bake::cli {
 
 void add_run_command(CLI::App& app, Action& action);
-void add_scene_commands(CLI::App& app, Action& action);  ///< list, info, validate
-void add_check_commands(CLI::App& app, Action& action);  ///< check, bless
+void add_scene_commands(CLI::App& app, Action& action);   ///< list, info, validate
+void add_check_commands(CLI::App& app, Action& action);   ///< check, bless
+void add_figure_commands(CLI::App& app, Action& action);  ///< figure, table
+void add_report_command(CLI::App& app, Action& action);
 void add_study_command(CLI::App& app, Action& action);
 void add_compare_command(CLI::App& app, Action& action);  ///< compare-textbook
 void add_help_commands(CLI::App& app, Action& action);    ///< explain, version

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "figures/make_figure.h"
 #include "solver/baker/run.h"
 #include "solver/cli/commands.h"
 #include "solver/cli/scene_files.h"
@@ -26,7 +27,7 @@ std::string title_or_error(const SceneFile& scene) {
   }
 }
 
-int list() {
+int list_scenes() {
   const std::vector<SceneFile> scenes = known_scenes();
   std::size_t width = 0;
   for (const SceneFile& scene : scenes) width = std::max(width, scene.name.size());
@@ -35,6 +36,26 @@ int list() {
     if (scene.experiment != experiment) fmt::print("{}\n", scene.experiment);
     experiment = scene.experiment;
     fmt::print("  {:<{}}  {}\n", scene.name, width, title_or_error(scene));
+  }
+  return k_success;
+}
+
+/// Number, name, status and what it shows of every item of the paper.
+int list_figures() {
+  for (const Item& item : read_items(items_root(BAKE_SOURCE_DIR)).items)
+    fmt::print("{:<10} {:<17} {:<14} {}\n", item.number, item.name, choice_names(item.status)[static_cast<std::size_t>(item.status)],
+               item.shows);
+  return k_success;
+}
+
+/// One line `<item> <run>` for every run of every item that is done, `<item>` alone if it has none: for programs that hand runs out.
+int list_runs() {
+  const Items items = read_items(items_root(BAKE_SOURCE_DIR));
+  for (const Item& item : items.items) {
+    if (item.status != ItemStatus::done) continue;
+    const auto runs = read_figure(items, item).figure.runs;
+    if (runs.empty()) fmt::print("{}\n", item.name);
+    for (const FigureRun& run : runs) fmt::print("{} {}\n", item.name, run.name);
   }
   return k_success;
 }
@@ -53,7 +74,11 @@ int validate(const SceneArguments& arguments) {
 }  // namespace
 
 void add_scene_commands(CLI::App& app, Action& action) {
-  app.add_subcommand("list", "Name the scenes that come with Bake")->callback([&action] { action = list; });
+  auto what = std::make_shared<std::string>("scenes");
+  CLI::App& list_command = *app.add_subcommand("list", "Name the scenes, or the figures and tables of the paper with their status");
+  list_command.add_option("what", *what, "scenes, figures, or runs (of the figures, one a line) [scenes]")
+      ->check(CLI::IsMember({"scenes", "figures", "runs"}));
+  list_command.callback([what, &action] { action = *what == "scenes" ? list_scenes : *what == "figures" ? list_figures : list_runs; });
 
   auto arguments = std::make_shared<SceneArguments>();
   CLI::App& info_command = *app.add_subcommand("info", "Say what a run of a scene would be: size, steps, memory");

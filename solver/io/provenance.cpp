@@ -76,6 +76,7 @@ nlohmann::json provenance() {
        {{"version", BAKE_VERSION},
         {"commit", BAKE_COMMIT},
         {"dirty", dirty()},
+        {"solver", BAKE_SOLVER},
         {"compiler", compiler()},
         {"flags", BAKE_FLAGS},
         {"build_type", BAKE_BUILD_TYPE}}},

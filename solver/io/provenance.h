@@ -6,7 +6,8 @@
 namespace bake {
 
 /// Where a result comes from, as stored beside it:
-/// program: version, commit, dirty (null if unknown), compiler, flags, build_type; libraries: hdf5, eigen, fmt;
+/// program: version, commit, dirty (null if unknown), solver (hash of the sources that decide a run's numbers), compiler, flags,
+/// build_type; libraries: hdf5, eigen, fmt;
 /// machine: cpu, logical_cores, memory_bytes, os; date (UTC, ISO 8601). The name of the machine is left out on purpose.
 /// `commit` is "unknown" for sources without git; `dirty` speaks of the program's own sources only.
 nlohmann::json provenance();

@@ -4,6 +4,17 @@
 set(BAKE_COMMIT "unknown")
 set(BAKE_SOURCES "unknown")
 
+# What decides the numbers of a run: one hash of the solver's own files, whatever git knows of them.
+file(GLOB_RECURSE files RELATIVE ${SOURCES}/solver ${SOURCES}/solver/*)
+list(FILTER files EXCLUDE REGEX "^cli/")
+list(SORT files)
+foreach(file ${files})
+  file(SHA256 ${SOURCES}/solver/${file} hash)
+  string(APPEND hashes "${file} ${hash}\n")
+endforeach()
+string(SHA256 BAKE_SOLVER "${hashes}")
+string(SUBSTRING ${BAKE_SOLVER} 0 16 BAKE_SOLVER)
+
 function(git result)
   execute_process(COMMAND ${GIT} --no-optional-locks -C ${SOURCES} ${ARGN} OUTPUT_VARIABLE output ERROR_QUIET RESULT_VARIABLE status
                   OUTPUT_STRIP_TRAILING_WHITESPACE)
@@ -18,7 +29,7 @@ if(GIT)
   git(prefix rev-parse --show-prefix)
   if(prefix STREQUAL "")  # else unpacked inside some other repository: its commit says nothing of these sources
     git(BAKE_COMMIT rev-parse HEAD)
-    git(changes status --porcelain -- solver claims studies CMakeLists.txt)
+    git(changes status --porcelain -- solver claims studies figures report analysis reference CMakeLists.txt)
     if(changes STREQUAL "")
       set(BAKE_SOURCES "clean")
     elseif(NOT changes STREQUAL "unknown")
@@ -32,4 +43,5 @@ file(CONFIGURE OUTPUT ${HEADER} @ONLY CONTENT [[
 #pragma once
 #define BAKE_COMMIT "@BAKE_COMMIT@"
 #define BAKE_SOURCES "@BAKE_SOURCES@"
+#define BAKE_SOLVER "@BAKE_SOLVER@"
 ]])

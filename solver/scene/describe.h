@@ -75,6 +75,10 @@ std::string allowed(const Range& range) {
     return "text in quotes";
   } else if constexpr (std::is_same_v<T, std::filesystem::path>) {
     return "a file in quotes, from the folder of the scene";
+  } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
+    return "text in quotes, or a list of such";
+  } else if constexpr (std::is_same_v<T, std::vector<double>>) {
+    return fmt::format("{}, or a list of such", range.words);
   } else if constexpr (std::is_same_v<T, Vector3>) {
     return fmt::format("[x, y, z], each {}", range.words);
   } else if constexpr (std::is_same_v<T, std::array<double, 4>>) {

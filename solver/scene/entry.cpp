@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <system_error>
 
 #include "solver/scene/input_error.h"
 #include "solver/scene/nearest.h"
@@ -126,6 +129,17 @@ void SceneEntry::refuse_unknown(const std::vector<std::string>& known) const {
 
 void SceneEntry::expect_table() const {
   if (!node_->is_table()) refuse("a table");
+}
+
+std::string read_text_file(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) throw InputError(fmt::format("{}: no such file", quotable_path(file)));
+  if (std::filesystem::is_directory(status)) throw InputError(fmt::format("{}: found a folder, allowed: a TOML file", quotable_path(file)));
+  std::ifstream stream(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream.is_open() || stream.bad()) throw InputError(fmt::format("{}: cannot be read", quotable_path(file)));
+  return text;
 }
 
 toml::table parse_toml(std::string_view text, const std::string& name) {

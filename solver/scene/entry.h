@@ -62,6 +62,9 @@ std::string quotable(std::string_view text);
 /// A file's name in a message, whole but in one line.
 std::string quotable_path(const std::filesystem::path& path);
 
+/// All bytes of a file. Throws InputError: missing, a folder, unreadable.
+std::string read_text_file(const std::filesystem::path& file);
+
 /// Parses TOML that is called `name` in messages. Throws InputError with line and column.
 toml::table parse_toml(std::string_view text, const std::string& name);
 

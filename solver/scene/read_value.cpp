@@ -47,6 +47,22 @@ void read_numbers(const SceneEntry& entry, const Range& range, std::string_view 
   for (const SceneEntry& element : entry.elements()) *numbers++ = read_number(element, range, range.words);
 }
 
+std::vector<std::string> read_texts(const SceneEntry& entry) {
+  if (entry.node().is_string()) return {read_text(entry)};
+  if (!entry.node().is_array()) entry.refuse(allowed<std::vector<std::string>>({}));
+  std::vector<std::string> texts;
+  for (const SceneEntry& element : entry.elements()) texts.push_back(read_text(element));
+  return texts;
+}
+
+std::vector<double> read_number_list(const SceneEntry& entry, const Range& range) {
+  const std::string words = allowed<std::vector<double>>(range);
+  if (!entry.node().is_array()) return {read_number(entry, range, words)};
+  std::vector<double> numbers;
+  for (const SceneEntry& element : entry.elements()) numbers.push_back(read_number(element, range, range.words));
+  return numbers;
+}
+
 namespace {
 
 Curve::Point read_curve_point(const SceneEntry& entry, const Range& range) {

@@ -20,6 +20,9 @@ std::size_t read_choice(const SceneEntry& entry, const std::vector<std::string>&
 Curve read_curve(const SceneEntry& entry, const Range& range);
 /// Fills `numbers[0..count)` from a list of exactly as many.
 void read_numbers(const SceneEntry& entry, const Range& range, std::string_view allowed_words, double* numbers, std::size_t count);
+/// What is there, of one kind: one value stands for a list of one.
+std::vector<std::string> read_texts(const SceneEntry& entry);
+std::vector<double> read_number_list(const SceneEntry& entry, const Range& range);
 /// A table with one key that names a shape or a combination, beside the keys of Placement.
 ShapePtr read_shape(const SceneEntry& entry);
 
@@ -42,6 +45,10 @@ T read_value(const SceneEntry& entry, const Range& range) {
     return entry.document().folder / read_text(entry);
   } else if constexpr (Choice<T>) {
     return static_cast<T>(read_choice(entry, names_of<T>()));
+  } else if constexpr (std::is_same_v<T, std::vector<std::string>>) {
+    return read_texts(entry);
+  } else if constexpr (std::is_same_v<T, std::vector<double>>) {
+    return read_number_list(entry, range);
   } else if constexpr (std::is_same_v<T, Vector3>) {
     Vector3 vector;
     read_numbers(entry, range, allowed<T>(range), vector.data(), vector.size());

@@ -4,9 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
-#include <system_error>
 
 #include "solver/scene/checks.h"
 #include "solver/scene/layout.h"
@@ -118,17 +115,6 @@ void read_root(const SceneEntry& root, Scene& scene) {
   std::apply([&](const auto&... section) { (read_section(root, section, scene), ...); }, k_lists);
 }
 
-std::string read_all(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) throw InputError(fmt::format("{}: no such file", quotable_path(file)));
-  if (std::filesystem::is_directory(status)) throw InputError(fmt::format("{}: found a folder, allowed: a TOML file", quotable_path(file)));
-  std::ifstream stream(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream.is_open() || stream.bad()) throw InputError(fmt::format("{}: cannot be read", quotable_path(file)));
-  return text;
-}
-
 }  // namespace
 
 Scene parse_scene(std::string_view text, const std::filesystem::path& name, const ReadOptions& options) {
@@ -142,6 +128,6 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& name, cons
   return scene;
 }
 
-Scene read_scene(const std::filesystem::path& file, const ReadOptions& options) { return parse_scene(read_all(file), file, options); }
+Scene read_scene(const std::filesystem::path& file, const ReadOptions& options) { return parse_scene(read_text_file(file), file, options); }
 
 }  // namespace bake

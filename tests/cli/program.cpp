@@ -48,8 +48,14 @@ void Workplace::write(const fs::path& file, const std::string& text) const {
   std::ofstream(folder() / file) << text;
 }
 
+void Workplace::move_program_here() {
+  fs::create_directories(folder() / "bin");
+  fs::copy_file(BAKE_PROGRAM, folder() / "bin/bake");
+  program_ = folder() / "bin/bake";
+}
+
 Outcome Workplace::bake(const std::string& arguments, const std::string& before) const {
-  const std::string command = fmt::format("cd '{}' && ({} '{}' {}) >.out 2>.err", folder().string(), before, BAKE_PROGRAM, arguments);
+  const std::string command = fmt::format("cd '{}' && ({} '{}' {}) >.out 2>.err", folder().string(), before, program_.string(), arguments);
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder() / ".out"), contents(folder() / ".err")};
 }

@@ -25,8 +25,11 @@ class Workplace {
   Outcome bake(const std::string& arguments, const std::string& before = "") const;
   void write(const std::filesystem::path& file, const std::string& text) const;
   const std::filesystem::path& folder() const { return folder_.path(); }
+  /// From now on a copy of the program is called that stands in the folder bin/: what is put beside it is found beside it.
+  void move_program_here();
 
  private:
+  std::filesystem::path program_ = BAKE_PROGRAM;
   TemporaryFolder folder_;
 };
 

@@ -34,7 +34,8 @@ fresh_clone() {
   stand_in cmake 'mkdir -p build/release; touch build/release/build.ninja
 echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/release/CMakeCache.txt
 for word in "$@"; do case $word in -DBAKE_*=ON) word=${word#-D}; echo "${word%=ON}:BOOL=ON" >>build/release/CMakeCache.txt ;; esac; done'
-  stand_in ninja 'printf "#!/bin/bash\nprintf \"<%%s>\" \"\$@\"; exit 7\n" >"$2/bake"; chmod +x "$2/bake"'
+  stand_in ninja 'for name in bake bake-mesh bake-render bake_bench; do
+printf "#!/bin/bash\nprintf \"<%%s>\" \"\${0##*/}\" \"\$@\"; exit 7\n" >"$2/$name"; chmod +x "$2/$name"; done'
   stand_in ctest 'echo "100% tests passed"'
   : >"$sandbox/calls"
 }
@@ -61,19 +62,36 @@ not() { ! "$@"; }
 
 fresh_clone
 run run bread --set 'a=[1, 2]' ''
-expect "the program gets the arguments unchanged" says '<run><bread><--set><a=[1, 2]><>'
+expect "the program gets the arguments unchanged" says '<bake><run><bread><--set><a=[1, 2]><>'
 expect "the program's exit code is the script's" exits_with 7
 expect "only the program is built" called "bake_program"
 expect "nothing is installed when nothing is missing" not called "apt-get"
 expect "tests are not configured for a run" called "-DBAKE_TESTS=OFF"
+expect "figures are not configured for a run" called "-DBAKE_FIGURES=OFF"
+expect "nothing of figures is built for a run" not called "bake_mesh"
 run run bread
 expect "the second time does not configure" not called "cmake"
 expect "the second time does not look at packages" not called "dpkg-query"
-expect "the second time shows nothing of its own" [ "$output" = "<run><bread>" ]
+expect "the second time shows nothing of its own" [ "$output" = "<bake><run><bread>" ]
 run --help
-expect "options alone go to the program" says '<--help>'
+expect "options alone go to the program" says '<bake><--help>'
+run figure 15 --quality draft
+expect "the program makes figures" says '<bake><figure><15><--quality><draft>'
+expect "figures need their packages" called "gnuplot-nox"
+expect "figures need the other programs" called "-DBAKE_FIGURES=ON"
+expect "figures build all three programs" called "bake_program bake_mesh bake_render"
+run mesh tets 'a b.toml'
+expect "mesh is a program of its own" says '<bake-mesh><tets><a b.toml>'
+run render --help
+expect "render is a program of its own" says '<bake-render><--help>'
+run report
+expect "the second time does not configure for figures either" not called "cmake"
+run bench --fast
+expect "benchmarks get their arguments" says '<bake_bench><--fast>'
+run run bread
+expect "a run after figures is lean again" not called "bake_mesh"
 run test -R Transfer
-expect "tests are built with everything" called "-DBAKE_TESTS=ON"
+expect "tests are built with everything" called "-DBAKE_TESTS=ON -DBAKE_FIGURES=ON"
 expect "arguments of test go to ctest" called "--parallel 2 -R Transfer"
 expect "passing tests are a success" exits_with 0
 stand_in ctest 'exit 8'
@@ -96,6 +114,7 @@ expect "--no-install installs nothing" not called "apt-get"
 expect "a run does not ask for test packages" not says "libgtest-dev"
 run --no-install test
 expect "tests ask for test packages" says "libgtest-dev"
+expect "tests ask for the packages of figures" says "gnuplot-nox"
 rm "$tools/g++"
 run run bread --no-install
 expect "a missing compiler is named" says "g++"

@@ -90,7 +90,7 @@ TEST_F(AReference, IsNotHeldAgainstARunThatDidNotEnd) {
 
 TEST_F(AReference, FindsWhatTheBooksDoNotExplain) {
   const Results run = results("time_s,solid_mass_kg,retired_solid_kg,emitted_solid_kg\n0,2,0,0\n1,1.5,0.5,0\n2,2.25,0.5,0.5\n");
-  EXPECT_DOUBLE_EQ(find_metric("solid_drift").measure(run), 0.125);
+  EXPECT_DOUBLE_EQ(find_metric("solid_drift").of_run(run, {}), 0.125);
 }
 
 }  // namespace

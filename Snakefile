@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: MIT
+# Every run of every figure as a job of its own, then every figure: on this machine or handed out to a cluster, with the same results.
+#
+#   snakemake --cores 2                                          all figures at draft
+#   snakemake --cores 2 results/made/bread-draft                 one figure
+#   snakemake --cores 16 --config quality=standard
+#   snakemake --slurm --jobs 8 --default-resources runtime=600   on a Slurm cluster, from a folder that all nodes see
+#
+# The program is ./bake unless told otherwise (--config bake=build/release/bake). What is up to date is left to it: it simulates nothing twice.
+import shutil
+import subprocess
+
+BAKE = config.get("bake", "./bake")
+QUALITY = config.get("quality", "draft")
+OPTIONS = config.get("options", "")  # further ones of `bake figure`, e.g. --no-pictures
+
+RUNS = {}  # of each figure
+for line in subprocess.run([BAKE, "list", "runs"], check=True, text=True, stdout=subprocess.PIPE).stdout.splitlines():
+    figure, *run = line.split()
+    RUNS.setdefault(figure, []).extend(run)
+
+
+localrules: all
+
+
+rule all:
+    input: expand("results/made/{figure}-{quality}", figure=RUNS, quality=QUALITY)
+
+
+# Markers of this call only: bake alone knows what is up to date.
+onsuccess: shutil.rmtree("results/made", ignore_errors=True)
+onerror: shutil.rmtree("results/made", ignore_errors=True)
+
+
+rule run:
+    output: touch("results/made/{figure}-{quality}.{run}")
+    threads: config.get("threads", 8)
+    shell: "{BAKE} figure {wildcards.figure} --quality {wildcards.quality} --only-run {wildcards.run} --threads {threads}"
+
+
+rule figure:
+    input: lambda wildcards: [f"results/made/{wildcards.figure}-{wildcards.quality}.{run}" for run in RUNS[wildcards.figure]]
+    output: touch("results/made/{figure}-{quality}")
+    threads: config.get("threads", 8)
+    shell: "{BAKE} figure {wildcards.figure} --quality {wildcards.quality} --threads {threads} {OPTIONS}"

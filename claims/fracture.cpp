@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "claims/fracture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "solver/scene/input_error.h"
+
+namespace bake {
+namespace {
+
+Crack crack_of(const nlohmann::json& json) { return {json.at("area_m2"), json.at("length_m"), json.at("centre_m")}; }
+
+Piece piece_of(const nlohmann::json& json) { return {json.at("volume_m3"), json.at("closed")}; }
+
+FractureFrame frame_of(const nlohmann::json& json) {
+  FractureFrame frame{json.at("time_s"), json.at("volume_m3"), json.at("crack_area_m2"), {}, {}};
+  for (const auto& crack : json.at("cracks")) frame.cracks.push_back(crack_of(crack));
+  for (const auto& piece : json.at("pieces")) frame.pieces.push_back(piece_of(piece));
+  return frame;
+}
+
+}  // namespace
+
+const FractureFrame& Fracture::at(std::optional<double> time_s) const {
+  if (!time_s) return frames.back();
+  return *std::min_element(frames.begin(), frames.end(), [&](const FractureFrame& a, const FractureFrame& b) {
+    return std::abs(a.time_s - *time_s) < std::abs(b.time_s - *time_s);
+  });
+}
+
+Fracture read_fracture(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in)
+    throw InputError(
+        fmt::format("{}: cannot open: there is no fracture surface here, allowed: a folder of bake-mesh fracture", file.string()));
+  try {
+    Fracture fracture{file, {}};
+    const nlohmann::json json = nlohmann::json::parse(in);
+    for (const auto& frame : json.at("frames")) fracture.frames.push_back(frame_of(frame));
+    if (fracture.frames.empty()) throw InputError(fmt::format("{}: found no frame", file.string()));
+    return fracture;
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(fmt::format("{}: not a description of fracture surfaces: {}", file.string(), error.what()));
+  }
+}
+
+}  // namespace bake

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "figures/made.h"
+#include "figures/programs.h"
+#include "figures/steps.h"
+#include "solver/baker/kept_run.h"
+#include "solver/io/atomic_file.h"
+#include "solver/scene/entry.h"
+#include "solver/scene/nearest.h"
+#include "solver/scene/reader.h"
+#include "solver/scene/resolved.h"
+
+namespace bake {
+namespace {
+
+namespace fs = std::filesystem;
+
+Scene scene_of(const Place& place, const FigureRun& run) {
+  return read_scene(scene_file(place.figure, run), {place.options.quality, run.set});
+}
+
+std::vector<std::string> mesh_arguments(const Place& place, const FigureRun& run, const fs::path& out) {
+  std::vector<std::string> words{"tets", scene_file(place.figure, run).string(), "--out", out.string(), "--quality", place.quality()};
+  for (const std::string& override : run.set) words.insert(words.end(), {"--set", override});
+  return words;
+}
+
+/// A run stands and falls with its mesh: if the mesh comes out different, the run is none any more.
+void replace_mesh(const fs::path& made, const fs::path& mesh) {
+  const bool same = fs::exists(mesh) && read_text_file(made) == read_text_file(mesh);
+  if (!same) fs::remove(mesh.parent_path() / "run.json");
+  fs::rename(made, mesh);
+}
+
+/// mesh.hdf in the run's folder.
+fs::path make_mesh(const Place& place, const FigureRun& run, const Scene& scene) {
+  const fs::path folder = place.run(run.name), mesh = folder / "mesh.hdf", aside = folder / "new_mesh.hdf";
+  const nlohmann::json from{resolved(scene), stamp(find_program("bake-mesh"))};
+  if (is_made(mesh, from)) return mesh;
+  say(place.options, fmt::format("mesh of {}", run.name));
+  call_program("bake-mesh", mesh_arguments(place, run, aside), folder / "bake-mesh.log");
+  replace_mesh(aside, mesh);
+  note_made(mesh, from);
+  return mesh;
+}
+
+void use_mesh(Scene& scene, const fs::path& mesh) {
+  if (scene.bodies.empty())
+    throw InputError(fmt::format("{}: found no body, allowed: mesh = true for a scene with one", scene.file.string()));
+  scene.bodies.front().shape = nullptr;
+  scene.bodies.front().particles_file = fs::absolute(mesh);
+}
+
+void make_run(const Place& place, const FigureRun& run) {
+  Scene scene = scene_of(place, run);
+  scene.file = fs::absolute(scene.file);  // a mesh is named from here
+  if (run.mesh) use_mesh(scene, make_mesh(place, run, scene));
+  RunOptions options;
+  options.out = place.run(run.name);
+  options.threads = place.options.threads;
+  options.quiet = place.options.quiet;
+  const KeptRun kept = kept_run(scene, options.out);
+  say(place.options, fmt::format("run {}: {}", run.name,
+                                 kept == KeptRun::finished     ? "is there"
+                                 : kept == KeptRun::unfinished ? "goes on from its checkpoint"
+                                                               : "begins"));
+  complete_run(scene, options);
+}
+
+void refuse_unknown_run(const Place& place) {
+  if (place.options.only_run.empty() || find_named(place.figure.runs, place.options.only_run)) return;
+  std::vector<std::string> names;
+  for (const FigureRun& run : place.figure.runs) names.push_back(run.name);
+  throw InputError(fmt::format("--only-run: unknown run '{}'; {}", quotable(place.options.only_run),
+                               names.empty() ? place.item.number + " has none" : suggestion(place.options.only_run, names)));
+}
+
+}  // namespace
+
+void make_runs(const Place& place) {
+  refuse_unknown_run(place);
+  for (const FigureRun& run : place.figure.runs)
+    if (place.options.only_run.empty() || place.options.only_run == run.name) make_run(place, run);
+}
+
+}  // namespace bake

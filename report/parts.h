@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The parts of the page.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "figures/items.h"
+#include "report/html.h"
+
+namespace bake::report {
+
+enum class ItemVerdict { reproduced, not_reproduced, not_run, not_there_yet };
+
+/// An item with its claims.json, if it was made.
+struct ReportedItem {
+  const Item* item;
+  std::filesystem::path folder;
+  std::optional<nlohmann::json> made;
+
+  ItemVerdict verdict() const;
+};
+
+Html badge(ItemVerdict verdict);
+
+/// The item's place on the page: "figure-15".
+std::string anchor(const Item& item);
+
+/// Pictures, charts, claims and runs of an item, or what is missing of it.
+Html item_section(const ReportedItem& reported);
+
+/// The tables of studies that stand in <root>/paper, those that are there.
+Html orders_section(const std::filesystem::path& root);
+Html departures_section(const std::filesystem::path& root);
+Html stability_section(const std::filesystem::path& root);
+
+/// A file of JSON; nothing if it is not there. Throws InputError if it is damaged.
+std::optional<nlohmann::json> read_json(const std::filesystem::path& file);
+
+}  // namespace bake::report

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// What the studies have stored in paper/*.json, as tables.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "report/parts.h"
+#include "solver/scene/entry.h"
+#include "solver/scene/input_error.h"
+
+namespace bake::report {
+namespace {
+
+using nlohmann::json;
+
+std::string word(const json& object, const char* key) { return object.at(key); }
+
+Html made_by(const json& study) {
+  const json& made = study.at("provenance");
+  return element("p",
+                 text(fmt::format("Measured {} with commit {} on {}.", word(made, "date").substr(0, 10),
+                                  word(made.at("program"), "commit").substr(0, 10), word(made.at("machine"), "cpu"))),
+                 "class=\"soft\"");
+}
+
+Html study_section(const char* id, const char* title, const char* words, const json& study, const Html& table) {
+  return element("section", join({element("h2", text(title)), element("p", text(words)), table, made_by(study)}),
+                 fmt::format("id=\"{}\"", id));
+}
+
+Html verdict(bool holds) {
+  return element("span", text(holds ? "holds" : "missed"), holds ? "class=\"verdict good\"" : "class=\"verdict bad\"");
+}
+
+/// The largest step found over the rule's, of the knob values of one map.
+struct Edges {
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  int count = 0;
+  bool holds = true, has_limit = true;
+};
+
+}  // namespace
+
+std::optional<json> read_json(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  try {
+    return json::parse(read_text_file(file));
+  } catch (const json::exception& error) {
+    throw InputError(fmt::format("{}: damaged: {}", file.string(), error.what()));
+  }
+}
+
+Html orders_section(const std::filesystem::path& root) {
+  const auto study = read_json(root / "paper/orders.json");
+  if (!study) return {};
+  std::vector<std::vector<Html>> rows;
+  for (const json& order : study->at("orders"))
+    rows.push_back({text(word(order, "exact_solution")), text(word(order, "quantity")), text(number(order.at("value"))),
+                    text(fmt::format("{} to {}", number(order.at("low")), number(order.at("high")))), verdict(order.at("holds"))});
+  return study_section("orders", "Orders of convergence", "Errors against exact solutions fall with these powers of the resolution.",
+                       *study, table({"exact solution", "error of", "order", "promised", "verdict"}, rows));
+}
+
+Html departures_section(const std::filesystem::path& root) {
+  const auto study = read_json(root / "paper/departures.json");
+  if (!study) return {};
+  std::vector<std::vector<Html>> rows;
+  for (const json& one : study->at("consequences"))
+    rows.push_back({text(word(one, "equation")), text_with_code(word(one, "printed")), text_with_code(word(one, "instead")),
+                    text(word(one, "measured")), text(word(one, "expected")), text(number(one.at("published"))),
+                    text(number(one.at("standard")))});
+  return study_section("departures", "Departures from the printed equations",
+                       "Where the printed form can be run, this is what it does to a small case.", *study,
+                       table({"equation", "printed", "instead", "measured", "right is", "as printed", "here"}, rows));
+}
+
+Html stability_section(const std::filesystem::path& root) {
+  const auto study = read_json(root / "paper/stability.json");
+  if (!study) return {};
+  std::map<std::string, Edges> maps;
+  for (const json& edge : study->at("edges")) {
+    Edges& map = maps[word(edge, "map")];
+    ++map.count;
+    map.has_limit = edge.at("has_limit");
+    map.holds = map.holds && edge.at("safe").get<bool>() && edge.at("sharp").get<bool>();
+    if (!edge.at("factor").is_number()) continue;
+    map.least = std::min(map.least, edge.at("factor").get<double>());
+    map.most = std::max(map.most, edge.at("factor").get<double>());
+  }
+  std::vector<std::vector<Html>> rows;
+  for (const auto& [name, map] : maps)
+    rows.push_back({text(name), text(std::to_string(map.count)),
+                    text(map.has_limit ? fmt::format("{:.2f} to {:.2f}", map.least, map.most) : "no edge to be found"),
+                    verdict(map.holds)});
+  return study_section("stability", "Where the method breaks",
+                       "The largest step with which nothing grows, over the step that the rule takes, for hard and soft, fine and coarse, "
+                       "few and many particles.",
+                       *study, table({"map", "points", "largest stable step over the rule's", "verdict"}, rows));
+}
+
+}  // namespace bake::report

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// Figures as a user makes them, from a paper of one small figure. bake-mesh and bake-render are stand-ins that do as little as can be.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/program.h"
+
+namespace bake::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* k_items = R"([[item]]
+number = "figure 1"
+name = "dough"
+shows = "dough at rest"
+experiment = "fig01_dough"
+status = "done"
+
+[[item]]
+number = "table 1"
+name = "costs"
+shows = "costs"
+status = "not there yet"
+claims = ["cheap"]
+)";
+
+constexpr const char* k_runs = R"(title = "Dough & rest"
+shows = "it <rests>"
+[[run]]
+name = "soft"
+scene = "dough"
+[[run]]
+name = "hard"
+scene = "dough"
+set = "material.dough.young_modulus_Pa=1e5"
+)";
+
+constexpr const char* k_claims = R"([[claim]]
+metric = "volume_gain"
+of = ["soft", "hard"]
+expected = 1
+tolerance = 0.01
+kind = "analytic"
+why = "it is hardly pressed"
+[[claim]]
+metric = "distance_gain"
+of = "hard"
+from_m = [0.1, 0.1, 0.05]
+to_m = [0.1, 0.1, 0.15]
+greater_than = "soft"
+factor = 0.9
+kind = "analytic"
+why = "what is harder is pressed less"
+)";
+
+class AFigure : public testing::Test {
+ protected:
+  AFigure() {
+    place.write("paper/items.toml", k_items);
+    figure("", "");
+  }
+  /// The figure's file, with further tables between runs and claims and a change of one of its words.
+  void figure(const std::string& more, const std::string& from = "", const std::string& to = "") const {
+    std::string text = std::string(k_runs) + more + k_claims;
+    text.replace(text.find(from), from.size(), to);
+    place.write("experiments/fig01_dough/figure.toml", text);
+  }
+  void program(const char* name, const std::string& script) const {
+    place.write(fs::path("bin") / name, "#!/bin/sh\n" + script);
+    fs::permissions(place.folder() / "bin" / name, fs::perms::owner_all);
+  }
+  void expect_refused(const std::string& arguments, const std::string& reason, int exit_code = 2, const std::string& before = "") const {
+    SCOPED_TRACE("bake " + arguments);
+    const Outcome outcome = place.bake(arguments, before);
+    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.out;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
+  }
+  nlohmann::json claims() const { return nlohmann::json::parse(contents(place.folder() / "results/items/dough-draft/claims.json")); }
+  Workplace place;
+};
+
+TEST_F(AFigure, ThatHoldsSucceedsAndWritesItsClaims) {
+  const Outcome outcome = place.bake("figure 1 --quiet");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find("3 of 3 claims hold"), std::string::npos) << outcome.out;
+  EXPECT_EQ(claims()["claims"].size(), 3u);
+  EXPECT_TRUE(claims()["claims"][2]["holds"]);
+  EXPECT_GT(claims()["runs"][1]["particles"], 0);
+  EXPECT_GE(claims()["runs"][1]["seconds"], 0);
+  EXPECT_TRUE(claims()["runs"][1]["provenance"]["program"].contains("commit"));
+}
+
+TEST_F(AFigure, ThatDoesNotHoldIsExitOneAndSaysWhy) {
+  figure("", "expected = 1", "expected = 2");
+  const Outcome outcome = place.bake("figure dough --quiet");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_NE(outcome.out.find("MISSED: it is hardly pressed"), std::string::npos) << outcome.out;
+  EXPECT_FALSE(claims()["claims"][0]["holds"]);
+  EXPECT_EQ(place.bake("figure --all --quiet").exit_code, 1);
+}
+
+TEST_F(AFigure, RunsOnlyWhatIsMissing) {
+  EXPECT_EQ(place.bake("figure 1 --only-run soft").exit_code, 0);
+  EXPECT_FALSE(fs::exists(place.folder() / "results/hard-draft"));
+  EXPECT_FALSE(fs::exists(place.folder() / "results/items"));
+  const auto made = fs::last_write_time(place.folder() / "results/soft-draft/run.json");
+  const Outcome outcome = place.bake("figure 1");
+  EXPECT_NE(outcome.err.find("run soft: is there"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("run hard: begins"), std::string::npos) << outcome.err;
+  EXPECT_EQ(fs::last_write_time(place.folder() / "results/soft-draft/run.json"), made);
+}
+
+TEST_F(AFigure, GoesOnWithWhatIsHalfFinished) {
+  ASSERT_EQ(place.bake("run dough --frames 1 --quiet --out results/soft-draft").exit_code, 0);
+  const Outcome outcome = place.bake("figure 1");
+  EXPECT_NE(outcome.err.find("run soft: goes on from its checkpoint"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
+  EXPECT_TRUE(fs::exists(place.folder() / "results/soft-draft/frames/0002.hdf"));
+}
+
+TEST_F(AFigure, RunsAnewWhatWasMadeFromAnotherScene) {
+  ASSERT_EQ(place.bake("run dough --quiet --out results/soft-draft --set material.dough.poisson_ratio=0.2").exit_code, 0);
+  EXPECT_NE(place.bake("figure 1").err.find("run soft: begins"), std::string::npos);
+  std::string run = contents(place.folder() / "results/soft-draft/run.json");
+  const auto solver = run.find("\"solver\": \"") + 11;
+  run.replace(solver, 4, "0000");
+  place.write("results/soft-draft/run.json", run);
+  EXPECT_NE(place.bake("figure 1").err.find("run soft: begins"), std::string::npos) << "of another solver";
+}
+
+TEST_F(AFigure, ThatIsNotThereIsRefused) {
+  expect_refused("figure 2", "unknown figure '2'");
+  expect_refused("figure dogh", "unknown figure 'dogh'; did you mean 'dough'?");
+  expect_refused("figure", "found no figure, allowed: a number or name (bake list figures), or --all");
+  expect_refused("figure 1 --all", "--all: found an item");
+  expect_refused("figure costs", "table 1 (costs): not there yet, allowed: an item that is done");
+  expect_refused("table 1", "table 1 (costs): not there yet");
+  expect_refused("figure 1 --only-run sotf", "--only-run: unknown run 'sotf'; did you mean 'soft'?");
+  figure("", "metric = \"volume_gain\"", "metric = \"volume_gian\"");
+  expect_refused("figure 1", "figure.toml:10: claim.0.metric: unknown metric 'volume_gian'; did you mean 'volume_gain'?");
+}
+
+TEST_F(AFigure, NeedsTheOtherProgramsForMeshesAndPictures) {
+  place.move_program_here();
+  figure("mesh = true\n");
+  expect_refused("figure 1", "bake-mesh: found no such program beside bake, allowed: one built by ./bake figure");
+  place.write("experiments/fig01_dough/views/side.toml", "");
+  figure("[[picture]]\nname = \"side\"\nshows = \"dough\"\nview = \"side\"\nof = \"soft\"\n");
+  expect_refused("figure 1", "bake-render: found no such program beside bake");
+  EXPECT_FALSE(fs::exists(place.folder() / "results")) << "not after hours of simulation";
+  EXPECT_EQ(place.bake("figure 1 --no-pictures --quiet").exit_code, 0);
+  EXPECT_TRUE(claims()["pictures"].empty());
+}
+
+TEST_F(AFigure, PassesOnWhatTheOtherProgramsSay) {
+  place.move_program_here();
+  place.write("experiments/fig01_dough/views/side.toml", "");
+  figure("[[picture]]\nname = \"side\"\nshows = \"dough\"\nview = \"side\"\nof = [\"soft\", \"hard\"]\ntimes_s = 0.005\n");
+  program("bake-render", "echo 'bake-render: side.toml:3: camera: missing' >&2; exit 2");
+  expect_refused("figure 1 --quiet", "bake: bake-render: side.toml:3: camera: missing\n");
+  program("bake-render", "echo working; kill -9 $$");
+  expect_refused("figure 1 --quiet", "bake: bake-render: exit 137: working (log: results/items/dough-draft/side.log)", 3);
+  program("bake-render", "echo \"$@\" >arguments; echo png >results/items/dough-draft/side.png");
+  EXPECT_EQ(place.bake("figure 1 --quiet --size 64x48 --samples 2").exit_code, 0);
+  EXPECT_EQ(contents(place.folder() / "arguments"),
+            fmt::format("picture {}/experiments/fig01_dough/views/side.toml results/soft-draft/frames/0001.hdf "
+                        "results/hard-draft/frames/0001.hdf --out results/items/dough-draft/side.png --results results/soft-draft "
+                        "--results results/hard-draft --size 64x48 --samples 2\n",
+                        fs::canonical(place.folder()).string()));
+  EXPECT_EQ(claims()["pictures"][0]["file"], "side.png");
+  fs::remove(place.folder() / "arguments");
+  EXPECT_EQ(place.bake("figure 1 --quiet --size 64x48 --samples 2").exit_code, 0);
+  EXPECT_FALSE(fs::exists(place.folder() / "arguments")) << "it was there";
+}
+
+TEST_F(AFigure, RunsItsParticlesFromAMeshAndMeasuresItsFractureSurface) {
+  place.move_program_here();
+  // the particles of another run serve as the vertices of a mesh
+  ASSERT_EQ(place.bake("run dough --frames 1 --quiet --out vertices").exit_code, 0);
+  program("bake-mesh", R"(echo "$@" >>arguments
+case $1 in
+  tets) cp vertices/frames/0000.hdf "$4" ;;
+  fracture) mkdir -p "$5"; echo '{"frames": [{"time_s": 0.01, "volume_m3": 1, "crack_area_m2": 0, "cracks": [],
+    "pieces": [{"volume_m3": 1, "closed": true}]}]}' >"$5/fracture.json" ;;
+esac)");
+  figure(R"(mesh = true
+[[surface]]
+name = "skin"
+run = "hard"
+reference_time_s = 0.005
+times_s = [0.005, 0.01]
+[[claim]]
+metric = "closed_pieces"
+of = "skin"
+expected = 1
+tolerance = 0
+kind = "analytic"
+why = "nothing tears it"
+)");
+  const Outcome outcome = place.bake("figure 1 --quiet");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const std::string calls = contents(place.folder() / "arguments");
+  EXPECT_NE(calls.find("--quality draft --set material.dough.young_modulus_Pa=1e5"), std::string::npos) << calls;
+  EXPECT_NE(
+      calls.find("fracture results/hard-draft/mesh.hdf results/hard-draft --out results/items/dough-draft/skin --reference-time 0.005 "
+                 "--frames 1,2"),
+      std::string::npos)
+      << calls;
+  fs::remove(place.folder() / "arguments");
+  EXPECT_EQ(place.bake("figure 1 --quiet").exit_code, 0);
+  EXPECT_FALSE(fs::exists(place.folder() / "arguments")) << "all was there";
+}
+
+TEST_F(AFigure, DrawsColumnsOfTheLedger) {
+  figure("[[chart]]\nname = \"height\"\nshows = \"height over time\"\ncolumn = \"height_m\"\nof = [\"soft\", \"hard\"]\n");
+  EXPECT_EQ(place.bake("figure 1 --quiet").exit_code, 0);
+  EXPECT_TRUE(fs::exists(place.folder() / "results/items/dough-draft/height.svg"));
+  expect_refused("figure 1 --quiet", "gnuplot is missing", 2, "env PATH=/nowhere");
+  figure("[[chart]]\nname = \"height\"\nshows = \"height over time\"\ncolumn = \"hight_m\"\nof = \"soft\"\n");
+  expect_refused("figure 1 --quiet", "ledger.csv: found no column hight_m");
+}
+
+TEST_F(AFigure, IsListedWithItsStatusAndItsRuns) {
+  const Outcome figures = place.bake("list figures");
+  EXPECT_NE(figures.out.find("figure 1   dough             done"), std::string::npos) << figures.out;
+  EXPECT_NE(figures.out.find("not there yet"), std::string::npos) << figures.out;
+  EXPECT_EQ(place.bake("list runs").out, "dough soft\ndough hard\n");
+  EXPECT_EQ(place.bake("list").out.find("figure"), std::string::npos) << "a figure.toml is no scene";
+  EXPECT_EQ(place.bake("list cakes").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace bake::test

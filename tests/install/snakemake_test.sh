@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The Snakefile makes every figure of a small paper, run by run, on this machine. Usage: snakemake_test.sh <source folder> <bake program>
+# Skipped (77) where snakemake is not installed.
+set -euo pipefail
+command -v snakemake >/dev/null || exit 77
+
+source_folder=$1
+bake=$2
+paper=$(mktemp -d)
+trap 'rm -rf "$paper"' EXIT
+cd "$paper"
+mkdir -p paper experiments/teaching
+cp "$source_folder/Snakefile" .
+cp "$source_folder/experiments/teaching/falling_ball.toml" experiments/teaching/
+cat >paper/items.toml <<'END'
+[[item]]
+number = "figure 1"
+name = "ball"
+shows = "a ball falls"
+experiment = "teaching"
+status = "done"
+END
+cat >experiments/teaching/figure.toml <<'END'
+title = "A ball"
+shows = "it falls"
+[[run]]
+name = "light"
+scene = "falling_ball"
+set = ["run.end_s=0.1", "material.0.density_kg_per_m3=500"]
+[[run]]
+name = "heavy"
+scene = "falling_ball"
+set = "run.end_s=0.1"
+[[claim]]
+metric = "retired_particles"
+of = ["light", "heavy"]
+at_most = 0
+kind = "analytic"
+why = "it stays in the domain"
+END
+
+fail() { echo "FAILED: $*"; tail -n 30 log; exit 1; }
+make_all() { HOME=$paper snakemake --cores 2 --config "bake=$bake" threads=1 >log 2>&1; }
+
+make_all || fail "snakemake failed"
+[[ $(grep -c '^rule run:' log) == 2 ]] || fail "not a job for each run"
+grep -q '"holds": true' results/items/ball-draft/claims.json || fail "no claims were checked"
+mv results by_snakemake
+"$bake" figure ball --quiet >/dev/null
+for run in light heavy; do
+  cmp "results/$run-draft/frames/0001.hdf" "by_snakemake/$run-draft/frames/0001.hdf" || fail "other results than bake figure"
+done
+sed -i 's/at_most = 0/at_most = -1/' experiments/teaching/figure.toml
+if make_all; then fail "a missed claim was a success"; fi
+[[ ! -e results/made ]] || fail "markers were left behind: a second call would do nothing"

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "claims/claim.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+namespace bake {
+namespace {
+
+Claim claim(std::vector<std::string> of) {
+  Claim c;
+  c.metric = std::string("volume_gain");
+  c.of = std::move(of);
+  c.kind = Evidence::published;
+  c.why = std::string("figure 15");
+  return c;
+}
+
+std::vector<bool> holds(const Claim& c, std::map<std::string, double> values) {
+  std::vector<bool> all;
+  for (const auto& v : judge(c, {"1", "x"}, [&](const Claim&, const std::string& of) { return values.at(of); })) all.push_back(v.holds);
+  return all;
+}
+
+TEST(AClaim, HoldsForEachOfItsRunsByItself) {
+  Claim c = claim({"a", "b"});
+  c.at_least = 2;
+  EXPECT_EQ(holds(c, {{"a", 2}, {"b", 1.9}}), (std::vector{true, false}));
+}
+
+TEST(AClaim, ComparesWithAnotherRunTimesAFactor) {
+  Claim c = claim({"a"});
+  c.greater_than = std::string("b");
+  c.factor = 1.5;
+  EXPECT_EQ(holds(c, {{"a", 3.1}, {"b", 2}}), std::vector{true});
+  EXPECT_EQ(holds(c, {{"a", 3}, {"b", 2}}), std::vector{false});
+  EXPECT_EQ(holds(c, {{"a", std::nan("")}, {"b", 2}}), std::vector{false});
+  EXPECT_EQ(holds(c, {{"a", 3}, {"b", std::nan("")}}), std::vector{false});
+}
+
+TEST(AClaim, OfAnOrderHoldsOnlyIfEveryStepDoes) {
+  Claim c = claim({"a", "b", "c"});
+  c.order = Order::rising;
+  EXPECT_EQ(holds(c, {{"a", 1}, {"b", 2}, {"c", 3}}), (std::vector{true, true, true}));
+  EXPECT_EQ(holds(c, {{"a", 1}, {"b", 1}, {"c", 3}}), (std::vector{true, false, true}));
+  c.order = Order::falling;
+  EXPECT_EQ(holds(c, {{"a", 3}, {"b", 2}, {"c", 2.5}}), (std::vector{true, true, false}));
+  EXPECT_EQ(holds(c, {{"a", std::nan("")}, {"b", 2}, {"c", 1}}), (std::vector{false, false, true}));
+}
+
+TEST(AClaim, IsPrintedWithItsReasonIfItIsMissed) {
+  Claim c = claim({"loaf"});
+  c.at_most = 1;
+  const auto text = table(judge(c, {"1", "x"}, [](const Claim&, const std::string&) { return 2.0; }));
+  EXPECT_NE(text.find("volume_gain of loaf"), std::string::npos) << text;
+  EXPECT_NE(text.find("MISSED: figure 15"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace bake

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+// Metrics of frames and of fracture surfaces, on results that are written by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "claims/metric.h"
+#include "solver/io/frames.h"
+#include "solver/scene/input_error.h"
+#include "tests/support/temporary_folder.h"
+
+namespace bake {
+namespace {
+
+/// Particle i of a frame: where, how hot now and ever, how large.
+struct Dot {
+  std::int64_t id;
+  Vector3 at;
+  float temperature = 20, peak = 20, volume = 1;
+};
+
+class FrameMetrics : public testing::Test {
+ protected:
+  FrameMetrics() {
+    std::filesystem::create_directories(folder_ / "frames");
+    std::ofstream(folder_ / "run.json") << R"({"summary": {"state": "done"}})";
+    std::ofstream(folder_ / "ledger.csv") << "time_s\n0\n1\n2\n";
+  }
+  void frame(int number, const std::vector<Dot>& dots) const {
+    std::vector<float> places, temperature, peak, volume;
+    std::vector<std::int64_t> ids;
+    for (const Dot& dot : dots) {
+      for (const double x : dot.at) places.push_back(static_cast<float>(x));
+      temperature.push_back(dot.temperature);
+      peak.push_back(dot.peak);
+      volume.push_back(dot.volume);
+      ids.push_back(dot.id);
+    }
+    write_frame(
+        folder_ / "frames" / frame_name(number), number,
+        {places, {{"temperature", "C", temperature}, {"peak_temperature", "C", peak}, {"volume", "m^3", volume}, {"id", "1", ids}}});
+  }
+  double measure(const char* metric, const MetricPlace& place) const { return find_metric(metric).of_run(Results(folder_.path()), place); }
+  const TemporaryFolder folder_;
+};
+
+MetricPlace between(const Vector3& from, const Vector3& to) {
+  MetricPlace place;
+  place.from_m = from;
+  place.to_m = to;
+  return place;
+}
+
+TEST_F(FrameMetrics, FollowTheSameParticlesInAnyOrder) {
+  frame(0, {{7, {0, 0, 0}}, {8, {1, 0, 0}}, {9, {5, 0, 0}}});
+  frame(1, {{9, {5, 0, 0}}, {8, {2, 0, 0}}, {7, {0, 0, 0}}});
+  frame(2, {{8, {3, 0, 0}}, {9, {5, 0, 0}}, {7, {0, 0, 0}}});
+  MetricPlace place = between({0.1, 0, 0}, {1.2, 0, 0});
+  EXPECT_DOUBLE_EQ(measure("distance_gain", place), 3);
+  place.time_s = 1.1;
+  EXPECT_DOUBLE_EQ(measure("distance_gain", place), 2) << "of the nearest frame";
+  EXPECT_TRUE(std::isnan(measure("distance_gain", between({0, 0, 0}, {0.1, 0, 0})))) << "one particle has no distance";
+}
+
+TEST_F(FrameMetrics, RefuseFramesOfAnotherRun) {
+  frame(0, {{7, {0, 0, 0}}, {8, {1, 0, 0}}});
+  frame(2, {{107, {0, 0, 0}}, {108, {1, 0, 0}}});
+  try {
+    measure("distance_gain", between({0, 0, 0}, {1, 0, 0}));
+    FAIL() << "measured";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("0002.hdf: found no particle 7, allowed: frames of one run"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(FrameMetrics, FindTemperaturesAndWhenTheyAreReached) {
+  frame(0, {{1, {0, 0, 0}, 20}, {2, {1, 0, 0}, 20}});
+  frame(1, {{2, {1, 0, 0}, 60}, {1, {0, 0, 0}, 90}});
+  frame(2, {{1, {0, 0, 0}, 95}, {2, {1, 0, 0}, 80}});
+  MetricPlace place;
+  place.point_m = Vector3{0.9, 0, 0};
+  EXPECT_EQ(measure("temperature_at", place), 80);
+  place.temperature_C = 60;
+  EXPECT_EQ(measure("time_to_reach", place), 1);
+  place.temperature_C = 81;
+  EXPECT_EQ(measure("time_to_reach", place), k_infinity);
+}
+
+TEST_F(FrameMetrics, ShareVolumesNotParticles) {
+  frame(0, {{1, {-1, 0, 0}}, {2, {1, 0, 0}}});
+  frame(2, {{1, {-1, 0, 0}, 20, 70, 1}, {2, {3, 0, 0}, 20, 90, 3}});
+  MetricPlace place;
+  place.temperature_C = 80;
+  EXPECT_DOUBLE_EQ(measure("heated_share", place), 0.75);
+  place.radius_m = 2;
+  EXPECT_DOUBLE_EQ(measure("outflow", place), 0.75);
+}
+
+/// z = 1 - kappa r^2 / 2 on top of a block of lower particles, off the origin.
+std::vector<Dot> dome(double kappa) {
+  std::vector<Dot> dots;
+  for (int i = -20; i <= 20; ++i)
+    for (int j = -20; j <= 20; ++j) {
+      const double x = 0.05 * i, y = 0.05 * j;
+      for (const double depth : {0.0, 0.3}) {
+        const auto id = static_cast<std::int64_t>(dots.size());
+        dots.push_back({id, {3 + x, 4 + y, 1 - kappa * (x * x + y * y) / 2 - depth}});
+      }
+    }
+  return dots;
+}
+
+TEST_F(FrameMetrics, TellADomeFromADent) {
+  MetricPlace place;
+  place.radius_m = 0.9;
+  for (const double kappa : {0.5, -0.5}) {
+    frame(0, dome(kappa));
+    frame(2, dome(kappa));
+    // rings are 8 of equal area; in each the highest particle stands for its place: an eighth of the whole r^2 at most, and exact here
+    EXPECT_NEAR(measure("top_curvature", place), kappa, 1e-4);
+  }
+}
+
+constexpr const char* k_fracture = R"({"frames": [
+ {"frame": 0, "time_s": 0, "broken_edges": 0, "crack_area_m2": 0, "cracks": [], "volume_m3": 2, "pieces": [{"vertices": 4, "volume_m3": 2, "closed": true}]},
+ {"frame": 9, "time_s": 3, "broken_edges": 5, "crack_area_m2": 0.4, "volume_m3": 2,
+  "cracks": [{"area_m2": 0.3, "length_m": 1, "centre_m": [0, 0, 1], "low_m": [0, 0, 0], "high_m": [0, 0, 0]},
+             {"area_m2": 0.1, "length_m": 0.5, "centre_m": [0, 0, 0], "low_m": [0, 0, 0], "high_m": [0, 0, 0]}],
+  "pieces": [{"vertices": 3, "volume_m3": 1.25, "closed": true}, {"vertices": 1, "volume_m3": 0.75, "closed": false}]}]})";
+
+class SurfaceMetrics : public testing::Test {
+ protected:
+  double measure(const char* metric, const MetricPlace& place = {}, const std::string& json = k_fracture) const {
+    std::ofstream(folder_ / "fracture.json") << json;
+    return find_metric(metric).of_surface(read_fracture(folder_ / "fracture.json"), place);
+  }
+  const TemporaryFolder folder_;
+};
+
+TEST_F(SurfaceMetrics, CountAndMeasureCracksAndPieces) {
+  EXPECT_EQ(measure("cracks"), 2);
+  EXPECT_EQ(measure("crack_area"), 0.4);
+  EXPECT_EQ(measure("crack_length"), 1.5);
+  EXPECT_EQ(measure("pieces"), 2);
+  EXPECT_EQ(measure("closed_pieces"), 1);
+  EXPECT_EQ(measure("pieces_volume"), 1);
+  EXPECT_EQ(measure("second_piece"), 0.375);
+}
+
+TEST_F(SurfaceMetrics, LookAtTheFrameThatIsAskedFor) {
+  MetricPlace start;
+  start.time_s = 1;
+  EXPECT_EQ(measure("cracks", start), 0);
+  EXPECT_EQ(measure("second_piece", start), 0);
+}
+
+TEST_F(SurfaceMetrics, FindTheShareOfTheCracksInABox) {
+  MetricPlace top;
+  top.low_m = Vector3{-1, -1, 0.5};
+  top.high_m = Vector3{1, 1, 2};
+  EXPECT_DOUBLE_EQ(measure("crack_share", top), 0.75);
+  top.time_s = 0;
+  EXPECT_TRUE(std::isnan(measure("crack_share", top))) << "no crack has no share";
+}
+
+TEST_F(SurfaceMetrics, RefuseWhatIsNoFractureSurface) {
+  EXPECT_THROW(read_fracture(folder_ / "nothing.json"), InputError);
+  EXPECT_THROW(measure("cracks", {}, "{\"frames\": []}"), InputError);
+  EXPECT_THROW(measure("cracks", {}, "{\"frames\": [{}]}"), InputError);
+}
+
+}  // namespace
+}  // namespace bake

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "figures/figure_file.h"
+
+#include <gtest/gtest.h>
+
+#include "solver/scene/input_error.h"
+#include "tests/support/temporary_folder.h"
+
+namespace bake {
+namespace {
+
+constexpr const char* k_figure = R"(title = "Loaves"
+shows = "they rise"
+[[run]]
+name = "plain"
+scene = "loaf"
+[[run]]
+name = "slit"
+scene = "fig15_bread/loaf"
+set = "oven.temperature_C=90"
+mesh = true
+[[surface]]
+name = "torn"
+run = "slit"
+reference_time_s = 20
+times_s = [20, 30]
+[[picture]]
+name = "both"
+shows = "both loaves"
+view = "side"
+of = ["plain", "torn"]
+[[chart]]
+name = "volume"
+shows = "volume over time"
+column = "volume_m3"
+of = ["plain", "slit"]
+[[claim]]
+metric = "distance_gain"
+of = "slit"
+from_m = [0, 0, 0]
+to_m = [1, 0, 0]
+greater_than = "plain"
+factor = 1.5
+kind = "published"
+why = "slits open"
+[[claim]]
+metric = "pieces"
+of = "torn"
+expected = 2
+tolerance = 0
+kind = "published"
+why = "it is torn in two"
+)";
+
+class FigureFile : public testing::Test {
+ protected:
+  FigureFile() {
+    std::filesystem::create_directories(folder_ / "fig15_bread/views");
+    std::ofstream(folder_ / "fig15_bread/loaf.toml");
+    std::ofstream(folder_ / "fig15_bread/views/side.toml");
+  }
+  Figure read(const std::string& text, const ComputedNames& computed = {}) const {
+    std::ofstream(folder_ / "fig15_bread/figure.toml") << text;
+    return read_figure(folder_ / "fig15_bread/figure.toml", computed);
+  }
+  std::string error_of(const std::string& from, const std::string& to) const {
+    std::string text = k_figure;
+    text.replace(text.find(from), from.size(), to);
+    try {
+      read(text);
+      return "nothing";
+    } catch (const InputError& error) {
+      const std::string line = error.what(), folder = folder_.path().string() + "/";
+      return line.substr(line.find("figure.toml"));
+    }
+  }
+  const TemporaryFolder folder_;
+};
+
+TEST_F(FigureFile, IsReadWhole) {
+  const Figure figure = read(k_figure);
+  ASSERT_EQ(figure.runs.size(), 2u);
+  EXPECT_EQ(figure.runs[1].set, std::vector<std::string>{"oven.temperature_C=90"});
+  EXPECT_TRUE(figure.runs[1].mesh);
+  EXPECT_EQ(scene_file(figure, figure.runs[0]), scene_file(figure, figure.runs[1]));
+  ASSERT_EQ(figure.surfaces.size(), 1u);
+  EXPECT_EQ(figure.surfaces[0].times_s, (std::vector<double>{20, 30}));
+  ASSERT_EQ(figure.claims.size(), 2u);
+  EXPECT_EQ(figure.claims[0].factor, 1.5);
+  EXPECT_EQ(figure.claims[0].place.to_m, (Vector3{1, 0, 0}));
+  EXPECT_EQ(figure.claims[1].of, std::vector<std::string>{"torn"});
+}
+
+TEST_F(FigureFile, RefusesNamesOfNothing) {
+  EXPECT_EQ(error_of("\"loaf\"", "\"laof\"").substr(0, 47), "figure.toml:5: run.0.scene: found 'laof', allow");
+  EXPECT_EQ(error_of("run = \"slit\"", "run = \"slot\""), "figure.toml:13: surface.0.run: unknown run 'slot'; did you mean 'slit'?");
+  EXPECT_EQ(error_of("run = \"slit\"", "run = \"plain\""), "figure.toml:13: surface.0.run: found 'plain', allowed: a run with mesh = true");
+  EXPECT_EQ(error_of("\"side\"", "\"seite\"").substr(0, 46), "figure.toml:19: picture.0.view: found 'seite',");
+  EXPECT_EQ(error_of("\"torn\"]", "\"tron\"]"), "figure.toml:20: picture.0.of: unknown run or surface 'tron'; did you mean 'torn'?");
+  EXPECT_EQ(error_of("\"slit\"]", "\"torn\"]"), "figure.toml:25: chart.0.of: unknown run 'torn'; allowed: plain, slit");
+  EXPECT_EQ(error_of("distance_gain", "distance_gian"),
+            "figure.toml:27: claim.0.metric: unknown metric 'distance_gian'; did you mean 'distance_gain'?");
+  EXPECT_EQ(error_of("greater_than = \"plain\"", "greater_than = \"plan\""),
+            "figure.toml:31: claim.0.greater_than: unknown run or surface 'plan'; did you mean 'plain'?");
+  EXPECT_EQ(error_of("name = \"slit\"", "name = \"plain\""), "figure.toml:7: run.1.name: found 'plain' again");
+  EXPECT_EQ(error_of("name = \"slit\"", "name = \"../slit\""), "figure.toml:7: run.1.name: found '../slit', allowed: a-z, 0-9 and _");
+}
+
+TEST_F(FigureFile, RefusesClaimsThatCannotBeMeasured) {
+  EXPECT_EQ(error_of("metric = \"pieces\"\nof = \"torn\"", "metric = \"pieces\"\nof = \"slit\""),
+            "figure.toml:37: claim.1.of: found 'slit', a run, allowed: a surface, of which pieces is measured");
+  EXPECT_EQ(error_of("from_m = [0, 0, 0]\n", ""),
+            "figure.toml:26: claim.0.from_m: missing, allowed: what distance_gain needs: from_m, to_m");
+  EXPECT_EQ(error_of("from_m = [0, 0, 0]", "from_m = [0, 0, 0]\nradius_m = 1"),
+            "figure.toml:30: claim.0.radius_m: 'distance_gain' knows no such key");
+  EXPECT_EQ(
+      error_of("of = \"slit\"\n", ""),
+      "figure.toml:27: claim.0.metric: unknown number 'distance_gain'; a metric needs `of`: the run or surface that it is measured of");
+}
+
+TEST_F(FigureFile, RefusesClaimsWithoutOneCondition) {
+  const std::string one = "allowed: one condition: expected with tolerance; at_least, at_most or both; greater_than; or order";
+  EXPECT_EQ(error_of("greater_than = \"plain\"\nfactor = 1.5\n", ""), "figure.toml:26: claim.0: " + one);
+  EXPECT_EQ(error_of("expected = 2", "at_least = 2\nexpected = 2"), "figure.toml:35: claim.1: " + one);
+  EXPECT_EQ(error_of("tolerance = 0\n", ""), "figure.toml:38: claim.1.expected: needs a tolerance beside it, and a tolerance needs it");
+  EXPECT_EQ(error_of("greater_than = \"plain\"\nfactor = 1.5\n", "order = \"rising\"\n"),
+            "figure.toml:31: claim.0.order: needs a list `of` at least two");
+  EXPECT_EQ(error_of("kind = \"published\"\nwhy = \"slits open\"", "kind = \"published\"\nwhy = \"\""),
+            "figure.toml:34: claim.0.why: found \"\", allowed: the reason");
+  EXPECT_EQ(error_of("expected = 2\ntolerance = 0\nkind = \"published\"", "at_least = 2\nkind = \"regression\""),
+            "figure.toml:39: claim.1.kind: found a regression without an expected value");
+}
+
+TEST_F(FigureFile, RefersToWhatTheItemsFunctionGives) {
+  const std::string text =
+      "title = \"Curves\"\nshows = \"s\"\n[[chart]]\nname = \"curve\"\nshows = \"s\"\n[[claim]]\nmetric = \"distance\"\nat_most = 1\n"
+      "kind = \"analytic\"\nwhy = \"w\"\n";
+  EXPECT_EQ(read(text, {{"curve"}, {"distance"}}).claims.size(), 1u);
+  EXPECT_THROW(read(text, {{"curve"}, {"distances"}}), InputError);
+  EXPECT_THROW(read(text, {{"curves"}, {"distance"}}), InputError);
+}
+
+TEST_F(FigureFile, ClaimsSomething) { EXPECT_THROW(read("title = \"Curves\"\nshows = \"s\"\n"), InputError); }
+
+}  // namespace
+}  // namespace bake
