@@ -159,7 +159,8 @@ TEST(Fracture, AlongAPlaneMakesOneFlatCrackOfItsArea) {
   const auto smooth = cracks(surface, material_shape(topology, surface, 8).points),
              raw = cracks(surface, material_shape(topology, surface, 0).points);
   ASSERT_EQ(smooth.size(), 1u);
-  EXPECT_NEAR(smooth[0].area_m2, 1, 0.08);  // the cube's cross section
+  EXPECT_GT(smooth[0].area_m2, 0.95);  // the cube's cross section,
+  EXPECT_LT(smooth[0].area_m2, 1.2);   // a little wavy, since nodes stay within the middle three fifths of their edges
   EXPECT_LT(smooth[0].area_m2, raw[0].area_m2);
   EXPECT_NEAR(smooth[0].centre_m[0], 0, 0.03);
   EXPECT_GT(smooth[0].length_m, 0.95);
