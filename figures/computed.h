@@ -50,5 +50,8 @@ ComputedNames names_of(const Computed& computed);
 
 /// In columns, for the terminal.
 std::string text_of(const ComputedTable& table);
+/// For programs: RFC 4180.
+std::string csv_of(const ComputedTable& table);
+std::string markdown_of(const ComputedTable& table);
 
 }  // namespace bake

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "figures/steps.h"
+#include "solver/io/atomic_file.h"
 
 namespace bake {
 namespace {
@@ -44,6 +45,14 @@ void make_charts(const Place& place, const Computed& computed) {
   for (const FigureChart& chart : place.figure.charts) {
     say(place.options, fmt::format("chart {}", chart.name));
     charts::write_chart(chart.column.empty() ? *find_named(computed.charts, chart.name) : ledger_chart(place, chart), place.item_folder());
+  }
+}
+
+void write_tables(const Place& place, const Computed& computed) {
+  std::filesystem::create_directories(place.item_folder());
+  for (const ComputedTable& table : computed.tables) {
+    write_text_atomically(place.item_folder() / (table.name + ".csv"), csv_of(table));
+    write_text_atomically(place.item_folder() / (table.name + ".md"), markdown_of(table));
   }
 }
 

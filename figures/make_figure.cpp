@@ -47,6 +47,7 @@ MadeFigure make_figure(const Items& items, const Item& item, const MakeOptions& 
   make_surfaces(place);
   if (options.pictures) make_pictures(place);
   make_charts(place, computed);
+  write_tables(place, computed);
   const auto verdicts = check_claims(place, computed);
   write_claims(place, computed, verdicts);
   return {verdicts, computed.tables, place.item_folder()};

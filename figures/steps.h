@@ -16,6 +16,8 @@ void make_surfaces(const Place& place);
 void make_pictures(const Place& place);
 /// Charts, into <item>/<chart>.svg, .pdf and .csv.
 void make_charts(const Place& place, const Computed& computed);
+/// Tables that the item's own function computes, into <item>/<table>.csv and .md.
+void write_tables(const Place& place, const Computed& computed);
 /// Measures every claim.
 std::vector<ClaimVerdict> check_claims(const Place& place, const Computed& computed);
 /// <item>/claims.json: verdicts, and what the report needs to know of runs, pictures and charts.

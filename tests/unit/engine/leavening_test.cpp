@@ -8,7 +8,7 @@
 #include "solver/effects/heat.h"
 #include "solver/effects/physics.h"
 #include "solver/effects/water.h"
-#include "tests/unit/engine/particle_of_everything.h"
+#include "tests/unit/engine/scene_of_everything.h"
 
 namespace bake {
 namespace {

@@ -11,7 +11,7 @@
 #include <random>
 
 #include "solver/effects/physics.h"
-#include "tests/unit/engine/particle_of_everything.h"
+#include "tests/unit/engine/scene_of_everything.h"
 
 namespace bake {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/unit/engine/particle_of_everything.h"
+#include "tests/unit/engine/scene_of_everything.h"
 
 namespace bake {
 namespace {

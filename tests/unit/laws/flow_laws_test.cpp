@@ -3,7 +3,7 @@
 
 #include "solver/effects/physics.h"
 #include "solver/effects/plasticity.h"
-#include "tests/unit/engine/particle_of_everything.h"
+#include "tests/unit/engine/scene_of_everything.h"
 #include "tests/unit/laws/law.h"
 
 namespace bake {

@@ -2,7 +2,7 @@
 #include <Eigen/Geometry>
 
 #include "solver/effects/elasticity.h"
-#include "tests/unit/engine/particle_of_everything.h"
+#include "tests/unit/engine/scene_of_everything.h"
 #include "tests/unit/laws/law.h"
 
 namespace bake {

@@ -4,7 +4,7 @@
 #include "solver/effects/leavening.h"
 #include "solver/effects/physics.h"
 #include "solver/effects/water.h"
-#include "tests/unit/engine/particle_of_everything.h"
+#include "tests/unit/engine/scene_of_everything.h"
 #include "tests/unit/laws/law.h"
 
 namespace bake {

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// Items that need no run: their claims hold, and the tables tell equal from different.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "experiments/fig14_return_map/stress_state.h"
+#include "experiments/fig15_bread/dough.h"
+#include "experiments/table01_timings/timings.h"
+#include "experiments/table02_parameters/parameters.h"
+#include "figures/make_figure.h"
+#include "figures/steps.h"
+#include "solver/scene/input_error.h"
+#include "tests/support/temporary_folder.h"
+
+namespace bake {
+namespace {
+
+namespace fs = std::filesystem;
+
+class AnItemWithoutARun : public testing::TestWithParam<const char*> {};
+
+TEST_P(AnItemWithoutARun, FulfilsItsClaims) {
+  const Items items = read_items(BAKE_SOURCE_DIR);
+  const Item& item = find_item(items, GetParam());
+  const ReadFigure read = read_figure(items, item);
+  const MakeOptions options;
+  const auto verdicts = check_claims({item, read.figure, options}, read.computed);
+  EXPECT_FALSE(verdicts.empty());
+  for (const ClaimVerdict& v : verdicts) EXPECT_TRUE(v.holds) << v.metric << " = " << v.measured << ", " << v.condition;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, AnItemWithoutARun,
+                         testing::Values("fig07_yield_surface", "fig08_curves", "fig12_co2_rate", "fig14_return_map", "table01_timings",
+                                         "table02_parameters"),
+                         [](const auto& item) { return std::string(item.param); });
+
+TEST(AFlowStep, LeavesAnElasticStressAsItIs) {
+  const FlowStep step(bread_scene(), 0.3, 0.01);
+  const Stress trial{{3, -2, 1, 4, -1, 2}};
+  const Stress image = step.image(trial);
+  for (int i = 0; i < 6; ++i) EXPECT_NEAR(image.at[i], trial.at[i], 1e-12);
+}
+
+TEST(AFlowStep, KnowsTheInvariantsOfAStress) {
+  const Stress tau = uniaxial(3, 5);
+  EXPECT_NEAR(pressure_of(tau), 3, 1e-14);
+  EXPECT_NEAR(effective_of(tau), 5, 1e-14);
+  EXPECT_NEAR(effective_of({{0, 0, 0, 0, 0, 2}}), 2 * std::sqrt(3.), 1e-14) << "simple shear: sqrt(3) times the shear stress";
+}
+
+double number(const Computed& computed, const std::string& name) { return find_named(computed.numbers, name)->value; }
+
+/// A copy of the published parameters with bread's scene alone.
+class TableTwo : public testing::Test {
+ protected:
+  TableTwo() {
+    const fs::path sources = BAKE_SOURCE_DIR;
+    fs::create_directories(root() / "reference/published");
+    fs::create_directories(root() / "experiments/fig15_bread");
+    for (const char* file :
+         {"reference/published/table2.toml", "reference/published/table2_scenes.toml", "experiments/fig15_bread/bread.toml"})
+      fs::copy_file(sources / file, root() / file);
+  }
+  fs::path root() const { return folder_.path(); }
+  void replace(const char* file, std::string_view part, std::string_view other) const {
+    std::ifstream in(root() / file);
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    ASSERT_NE(text.find(part), std::string::npos) << part;
+    text.replace(text.find(part), part.size(), other);
+    std::ofstream(root() / file) << text;
+  }
+  void add_reason(const char* parameter) const {
+    std::ofstream(root() / "reference/published/table2_scenes.toml", std::ios::app)
+        << "\n[[reason]]\ncolumn = \"Bread\"\nparameter = \"" << parameter << "\"\nwhy = \"a test\"\n";
+  }
+  std::string cell(const Computed& computed, const char* parameter, std::size_t column) const {
+    for (const auto& row : computed.tables[0].rows)
+      if (row[0] == parameter) return row[column];
+    return "no such row";
+  }
+  std::string error() const {
+    try {
+      compare_parameters(root());
+    } catch (const InputError& e) {
+      return std::string(e.what()).substr(root().string().size() + 1);
+    }
+    return "nothing was thrown";
+  }
+  static constexpr const char* k_bread = "experiments/fig15_bread/bread.toml";
+  static constexpr const char* k_ours = "reference/published/table2_scenes.toml";
+  const TemporaryFolder folder_;
+};
+
+TEST_F(TableTwo, TellsWhatASceneStatesAndWhichSceneIsNotThere) {
+  const Computed computed = compare_parameters(root());
+  EXPECT_EQ(number(computed, "equal_values"), 15);
+  EXPECT_EQ(number(computed, "unexplained_differences"), 0);
+  EXPECT_EQ(cell(computed, "Young's", 1), "2e3 =");
+  EXPECT_EQ(cell(computed, "Young's", 2), "4e4 (no scene)");
+  EXPECT_EQ(cell(computed, "Δt", 1), "4e-3 (chosen)");
+  EXPECT_EQ(cell(computed, "Ambient θ", 3), "N/A");
+}
+
+TEST_F(TableTwo, AnotherValueNeedsAReason) {
+  replace(k_bread, "density_kg_per_m3 = 500", "density_kg_per_m3 = 450");
+  Computed computed = compare_parameters(root());
+  EXPECT_EQ(number(computed, "unexplained_differences"), 1);
+  EXPECT_EQ(cell(computed, "Density", 1), "450 (paper 500) !");
+  add_reason("Density");
+  computed = compare_parameters(root());
+  EXPECT_EQ(number(computed, "unexplained_differences"), 0);
+  EXPECT_EQ(number(computed, "explained_differences"), 1);
+  EXPECT_EQ(cell(computed, "Density", 1), "450 (paper 500) [1]");
+  EXPECT_EQ(computed.tables[1].rows.back(), (std::vector<std::string>{"[1]", "Bread, Density: a test", ""}));
+}
+
+TEST_F(TableTwo, AReasonWithoutADifferenceIsCounted) {
+  add_reason("Density");
+  EXPECT_EQ(number(compare_parameters(root()), "stale_reasons"), 1);
+}
+
+TEST_F(TableTwo, ACurveThatChangesStatesNoOneValue) {
+  replace(k_bread, "temperature_C = 100 # Table 2", "temperature_C = [[0, 100], [10, 120]]");
+  EXPECT_EQ(cell(compare_parameters(root()), "Ambient θ", 1), "not one value (paper 100) !");
+}
+
+TEST_F(TableTwo, AWrongNameIsRefused) {
+  add_reason("Densty");
+  EXPECT_EQ(error(), std::string(k_ours) + ": reason: found Bread, Densty, allowed: a column and a row of the table");
+  replace(k_ours, "Densty", "Density");
+  replace(k_ours, "name = \"κ\"", "name = \"kappa\"");
+  EXPECT_EQ(error(), std::string(k_ours) + ": no [[row]] 'κ'");
+  replace("reference/published/table2.toml", ", \"150\"]", "]");
+  EXPECT_EQ(error(), "reference/published/table2.toml: κ: found 5 values, allowed: one for each of the 6 columns");
+}
+
+TEST(TableOne, PutsAFinishedRunBesideThePublishedTiming) {
+  const TemporaryFolder folder;
+  const Computed none = compare_timings(BAKE_SOURCE_DIR, folder / "nothing");
+  EXPECT_EQ(number(none, "rows_with_a_run"), 0);
+  EXPECT_EQ(none.tables[0].rows[0][5], "not run");
+  for (const auto& [name, state, particles] : {std::tuple{"bread-draft", "done", 9000}, std::tuple{"bread-standard", "done", 77000},
+                                               std::tuple{"bread-paper", "running", 620000}}) {
+    fs::create_directories(folder / name);
+    std::ofstream(folder / name / "run.json") << R"({"scene": {"file": "experiments/fig15_bread/bread.toml"}, "summary": {"state": ")"
+                                              << state << R"(", "wall_s": 100, "steps": 1000, "particles": )" << particles << "}}";
+    std::ofstream(folder / name / "ledger.csv") << "time_s\n0\n1\n2\n3\n4\n";
+  }
+  const Computed some = compare_timings(BAKE_SOURCE_DIR, folder.path());
+  EXPECT_EQ(number(some, "rows_with_a_run"), 1);
+  EXPECT_EQ(number(some, "rows_at_published_size"), 0) << "that run is not done";
+  const auto& row = some.tables[0].rows[0];
+  EXPECT_EQ(std::vector<std::string>(row.begin() + 5, row.end()), (std::vector<std::string>{"bread-standard", "77K", "25", "0.77"}));
+  EXPECT_EQ(some.tables[0].rows[1][5], "not run") << "tearing is another scene";
+}
+
+TEST(AComputedTable, IsWrittenForTerminalProgramsAndPages) {
+  const ComputedTable table{"t", "Title", {"name", "θ"}, {{"a|b", "1, 2"}, {"\"c\"", ""}}};
+  EXPECT_EQ(text_of(table), "Title\n  name  θ\n  a|b   1, 2\n  \"c\"\n");
+  EXPECT_EQ(csv_of(table), "name,θ\na|b,\"1, 2\"\n\"\"\"c\"\"\",\n");
+  EXPECT_EQ(markdown_of(table), "Title\n\n| name | θ |\n|---|---|\n| a\\|b | 1, 2 |\n| \"c\" |  |\n");
+}
+
+}  // namespace
+}  // namespace bake
