@@ -121,17 +121,32 @@ shape = {{ difference = [
 }  // namespace vortex
 
 std::vector<Errors> generalised_vortex(bool quick) {
+  struct Variant {
+    bool held;
+    const char* transfer;
+    double low, high;
+    const char* why;
+  };
+  std::vector<Variant> variants{
+      {true, "apic", 1.6, 2.3, "second order in space and in time (places and velocities stand half a step apart, as in leapfrog)"},
+      {false, "apic", 0.9, 1.7,
+       "first order from the rims, and steeper as long as these are barely resolved: there the stress is nothing but its slope and the "
+       "body "
+       "force are largest, and of a node outside the rim the cut stencils make its few particles' stress and its own place's force"}};
+  if (!quick)
+    variants.push_back({true, "flip", 1.3, 2.3, "second order, until the noise shows that FLIP lets particles keep and APIC does not"});
   std::vector<Errors> all;
-  for (const bool held : {true, false})
-    for (const char* transfer : {"apic", "flip"}) {
-      Errors e;
-      e.quantity = fmt::format("place at t = 1/2 with {} {}, rms, relative to A", transfer,
-                               held ? "in material held to the exact velocity beyond the rims" : "between free rims");
-      e.refined = "cells in the radius";
-      e.refinements = quick ? std::vector<double>{16, 24, 32} : std::vector<double>{16, 24, 32, 48, 64};
-      for (const double n : e.refinements) e.errors.push_back(vortex::error(n, held, transfer));
-      all.push_back(e);
-    }
+  for (const Variant& v : variants) {
+    Errors e;
+    e.quantity = fmt::format("place at t = 1/2 with {}, {}, rms, relative to A", v.transfer,
+                             v.held ? "beyond the rims material held to the exact velocity" : "free rims");
+    e.low = v.low, e.high = v.high;
+    e.why = v.why;
+    e.refined = "cells in the radius";
+    e.refinements = quick ? std::vector<double>{24, 32, 40} : std::vector<double>{24, 32, 48, 64};
+    for (const double n : e.refinements) e.errors.push_back(vortex::error(n, v.held, v.transfer));
+    all.push_back(e);
+  }
   return all;
 }
 

@@ -60,14 +60,14 @@ TEST_P(OracleAtRest, AgreesWithTheTextbookForAHundredSteps) {
 
 /// Motion does not: yielding and touching make it grow, a hundredfold in some of these scenes. How much it grows is measured on a twin of
 /// the textbook whose particles are rounded to single before every step, once where the solver rounds about 64 times (see above): as long
-/// as errors grow in proportion, the solver in single comes no further from the textbook than 64 times as far as the twin.
+/// as errors grow in proportion, the solver in single comes no further from the textbook than 64 times as far as its twin. (Measured over
+/// all scenes of this file: 0.2 to 43 times as far, and never further than 4e-4.)
 TEST_P(OracleInMotion, InSingleStaysWithinRoundOffAsTheTextbookAmplifiesIt) {
   RandomScene single = GetParam();
   single.precision = "single";
   SideBySide both(single.scene(), true);
   while (both.solver().counters().steps < 100) ASSERT_TRUE(both.step());
   const auto twin = both.differences_of_twin(), solver = both.differences();
-  if (getenv("MEASURE")) for (std::size_t i = 0; i < solver.size(); ++i) fmt::print("RATIO {:.3f} {:.2e} {:.2e} {} {}\n", solver[i].relative()/twin[i].relative(), solver[i].relative(), twin[i].relative(), solver[i].field, single.name);
   EXPECT_LE(worst(solver), 64 * worst(twin)) << "solver:\n" << table(solver) << "twin:\n" << table(twin);
 }
 
@@ -217,10 +217,12 @@ std::vector<RandomScene> at_rest() {
   return all;
 }
 
+/// Whatever moves; at the boundaries with cubic kernels, which amplify most.
 std::vector<RandomScene> in_motion() {
   std::vector<RandomScene> all;
-  for (const RandomScene& r : every_scene())
-    if (r.effects.find("motion") != std::string::npos) all.push_back(r);
+  for (const auto& scenes : {every_model(), every_boundary()})
+    for (const RandomScene& r : scenes)
+      if (r.effects.find("motion") != std::string::npos && (r.effects != k_everything || r.kernel == "cubic")) all.push_back(r);
   return all;
 }
 
