@@ -3,13 +3,15 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace bake::studies {
 
 struct StudyOptions {
-  bool quick = false;         ///< the resolutions of the tests instead of all
-  std::filesystem::path out;  ///< folder of the tables; made if it is not there
+  bool quick = false;              ///< the resolutions of the tests instead of all
+  std::filesystem::path out;       ///< folder of the tables; made if it is not there
+  std::vector<std::string> cases;  ///< of convergence: only these are measured, the others' rows stay as they stand in the folder
 };
 
 /// A study by name. `run` prints its table, writes it to the folder, and returns whether everything held that was claimed.

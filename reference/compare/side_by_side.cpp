@@ -17,27 +17,63 @@ Scene with_exact_conduction(Scene scene) {
   return scene;
 }
 
-/// One field of the solver, `width` numbers per particle, beside the same numbers of the textbook.
-template <class Values, class NumbersOf>
-FieldDifference compare(const char* field, const Values& solver, const std::vector<textbook::Particle>& particles, NumbersOf numbers_of) {
-  FieldDifference d{field};
-  std::size_t at = 0;
+using Numbers = std::vector<double>;
+
+/// One field of the particles, as the textbook has it.
+struct ComparedField {
+  const char* name;
+  const char* column;  ///< of the solver; empty for position and velocity
+  Numbers (*of)(const textbook::Particle&);
+};
+
+std::vector<ComparedField> fields_of(const Scene& scene) {
+  using P = const textbook::Particle&;
+  std::vector<ComparedField> all{{"position", "", [](P p) { return Numbers{p.x[0], p.x[1], p.x[2]}; }}};
+  const auto add = [&](std::vector<ComparedField> more) { all.insert(all.end(), more.begin(), more.end()); };
+  if (scene.lists(Motion::name))
+    add({{"velocity", "",
+          [](P p) {
+            return Numbers{p.v[0], p.v[1], p.v[2]};
+          }},
+         {"J", field::VolumeRatio::name, [](P p) { return Numbers{p.J}; }},
+         {"b_E - I", field::ElasticStrain::name, [](P p) {
+            const textbook::Matrix& b = p.b_E;
+            return Numbers{b(0, 0) - 1, b(1, 1) - 1, b(2, 2) - 1, b(1, 2), b(0, 2), b(0, 1)};
+          }}});
+  if (scene.lists(Plasticity::name)) add({{"J_P", field::PlasticVolumeRatio::name, [](P p) { return Numbers{p.J_P}; }}});
+  if (scene.lists(Heat::name))
+    add({{"theta", field::Temperature::name, [](P p) { return Numbers{p.theta}; }},
+         {"peak theta", field::PeakTemperature::name, [](P p) { return Numbers{p.theta_peak}; }}});
+  if (scene.lists(Water::name)) add({{"m_w", field::WaterMass::name, [](P p) { return Numbers{p.m_w}; }}});
+  if (scene.lists(Leavening::name))
+    add({{"nu", field::ProducedGas::name, [](P p) { return Numbers{p.nu}; }},
+         {"leavener", field::Leavener::name, [](P p) { return Numbers{p.c}; }}});
+  return all;
+}
+
+/// A field of all particles, each particle's numbers together.
+Numbers in_order(const std::vector<textbook::Particle>& particles, const ComparedField& field) {
+  Numbers all;
   for (const textbook::Particle& p : particles)
-    for (const double number : numbers_of(p)) {
-      const double difference = std::abs(solver[at++] - number);
-      d.largest = std::max(d.largest, std::isnan(difference) ? k_infinity : difference);
-      d.scale = std::max(d.scale, std::abs(number));
-    }
+    for (const double number : field.of(p)) all.push_back(number);
+  return all;
+}
+
+Numbers in_order(const std::vector<Vector3>& vectors) {
+  Numbers all;
+  for (const Vector3& v : vectors) all.insert(all.end(), v.begin(), v.end());
+  return all;
+}
+
+FieldDifference compare(const char* field, const Numbers& other, const Numbers& textbook) {
+  FieldDifference d{field};
+  for (std::size_t i = 0; i < textbook.size(); ++i) {
+    const double difference = std::abs(other[i] - textbook[i]);
+    d.largest = std::max(d.largest, std::isnan(difference) ? k_infinity : difference);
+    d.scale = std::max(d.scale, std::abs(textbook[i]));
+  }
   return d;
 }
-
-std::vector<double> flat(const std::vector<Vector3>& vectors) {
-  std::vector<double> numbers;
-  for (const Vector3& v : vectors) numbers.insert(numbers.end(), v.begin(), v.end());
-  return numbers;
-}
-
-std::array<double, 3> numbers(const textbook::Vector& v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
 
@@ -47,18 +83,33 @@ double worst(const std::vector<FieldDifference>& differences) {
   return largest;
 }
 
-SideBySide::SideBySide(const Scene& scene)
+SideBySide::SideBySide(const Scene& scene, bool with_twin)
     : scene_(with_exact_conduction(scene)), solver_(Simulation::begin(scene_)), baker_(recipe_of(scene_)) {
-  for (const NewParticle& p : fill_bodies(scene_)) baker_.add(beginning_of(scene_, p, next_id_++));
+  if (with_twin) twin_.emplace(recipe_of(scene_));
+  for (const NewParticle& p : fill_bodies(scene_)) add(p);
   for (std::size_t i = 0; i < scene_.emitters.size(); ++i) spouts_.push_back(std::make_unique<Spout>(scene_, scene_.emitters[i], i));
   pour_due();
-  baker_.step(0, surroundings_of(scene_, 0));
+  step_textbook(0, 0);
+}
+
+void SideBySide::add(const NewParticle& particle) {
+  const textbook::Beginning beginning = beginning_of(scene_, particle, next_id_++);
+  baker_.add(beginning);
+  if (twin_) twin_->add(beginning);
 }
 
 void SideBySide::pour_due() {
   for (const auto& spout : spouts_)
     while (spout->next_time() <= solver_->time())
-      for (const NewParticle& p : spout->pour()) baker_.add(beginning_of(scene_, p, next_id_++));
+      for (const NewParticle& p : spout->pour()) add(p);
+}
+
+void SideBySide::step_textbook(double dt, double begin) {
+  const textbook::Surroundings surroundings = surroundings_of(scene_, begin);
+  baker_.step(dt, surroundings);
+  if (!twin_) return;
+  twin_->round_to_single();
+  twin_->step(dt, surroundings);
 }
 
 bool SideBySide::step() {
@@ -66,9 +117,26 @@ bool SideBySide::step() {
   if (!(dt > 0) || begin >= scene_.run.end_s) return false;
   last_dt_ = dt;
   solver_->advance(begin + dt, scene_.run.end_s);
-  baker_.step(dt, surroundings_of(scene_, begin));
+  step_textbook(dt, begin);
   pour_due();
   return true;
+}
+
+template <class NumbersOf>
+std::vector<FieldDifference> SideBySide::from_textbook(NumbersOf numbers_of) const {
+  std::vector<FieldDifference> all;
+  double strain_of_a_step = 0;  // whose round-off the strain of a stiff body has
+  for (const ComparedField& field : fields_of(scene_)) {
+    all.push_back(compare(field.name, numbers_of(field), in_order(baker_.particles(), field)));
+    double& scale = all.back().scale;
+    if (all.back().field == "velocity") {
+      // Stresses that cancel leave round-off, which moves particles at about epsilon times the wave speed, and that is below dx / dt.
+      scale = std::max(scale, 1e-4 * scene_.dx() / last_dt_);
+      strain_of_a_step = last_dt_ * scale / scene_.dx();
+    }
+    if (all.back().field == "b_E - I") scale = std::max(scale, strain_of_a_step);
+  }
+  return all;
 }
 
 std::vector<FieldDifference> SideBySide::differences() const {
@@ -77,39 +145,15 @@ std::vector<FieldDifference> SideBySide::differences() const {
   const bool same = std::equal(s.id.begin(), s.id.end(), particles.begin(), particles.end(),
                                [](std::int64_t id, const textbook::Particle& p) { return id == p.id; });
   if (!same) return {{"particles", k_infinity, 1}};
+  return from_textbook([&](const ComparedField& field) {
+    if (*field.column) return s[field.column];
+    return in_order(std::string_view(field.name) == "position" ? s.position : s.velocity);
+  });
+}
 
-  std::vector<FieldDifference> all;
-  const auto add = [&](const char* field, const std::vector<double>& solver, auto numbers_of) {
-    all.push_back(compare(field, solver, particles, numbers_of));
-  };
-  const auto add_column = [&](const char* field, const char* column, auto number_of) {
-    add(field, s[column], [&](const textbook::Particle& p) { return std::array{number_of(p)}; });
-  };
-  add("position", flat(s.position), [](const textbook::Particle& p) { return numbers(p.x); });
-  if (scene_.lists(Motion::name)) {
-    add("velocity", flat(s.velocity), [](const textbook::Particle& p) { return numbers(p.v); });
-    // Stresses that cancel leave round-off, which moves particles at about epsilon times the wave speed, and that is below dx / dt.
-    FieldDifference& velocity = all.back();
-    velocity.scale = std::max(velocity.scale, 1e-4 * scene_.dx() / last_dt_);
-    const double strain_of_a_step = last_dt_ * velocity.scale / scene_.dx();  // whose round-off the strain of a stiff body has
-    add_column("J", field::VolumeRatio::name, [](const textbook::Particle& p) { return p.J; });
-    add("b_E - I", s[field::ElasticStrain::name], [](const textbook::Particle& p) {
-      const textbook::Matrix& b = p.b_E;
-      return std::array{b(0, 0) - 1, b(1, 1) - 1, b(2, 2) - 1, b(1, 2), b(0, 2), b(0, 1)};
-    });
-    all.back().scale = std::max(all.back().scale, strain_of_a_step);
-  }
-  if (scene_.lists(Plasticity::name)) add_column("J_P", field::PlasticVolumeRatio::name, [](const textbook::Particle& p) { return p.J_P; });
-  if (scene_.lists(Heat::name)) {
-    add_column("theta", field::Temperature::name, [](const textbook::Particle& p) { return p.theta; });
-    add_column("peak theta", field::PeakTemperature::name, [](const textbook::Particle& p) { return p.theta_peak; });
-  }
-  if (scene_.lists(Water::name)) add_column("m_w", field::WaterMass::name, [](const textbook::Particle& p) { return p.m_w; });
-  if (scene_.lists(Leavening::name)) {
-    add_column("nu", field::ProducedGas::name, [](const textbook::Particle& p) { return p.nu; });
-    add_column("leavener", field::Leavener::name, [](const textbook::Particle& p) { return p.c; });
-  }
-  return all;
+std::vector<FieldDifference> SideBySide::differences_of_twin() const {
+  if (twin_->particles().size() != baker_.particles().size()) return {{"particles", k_infinity, 1}};
+  return from_textbook([&](const ComparedField& field) { return in_order(twin_->particles(), field); });
 }
 
 double SideBySide::textbook_bytes(const Scene& scene) { return textbook::Baker::bytes(recipe_of(scene)); }

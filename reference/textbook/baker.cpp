@@ -38,6 +38,24 @@ void Baker::step(double dt, const Surroundings& surroundings) {
   gather(dt, surroundings);
 }
 
+void Baker::round_to_single() {
+  const auto round = [](double& number) { number = static_cast<float>(number); };
+  const auto round_all = [&](Vector& v) {
+    for (double& number : v.at) round(number);
+  };
+  const auto round_matrix = [&](Matrix& a) {
+    for (auto& row : a.at)
+      for (double& number : row) round(number);
+  };
+  for (Particle& p : particles_) {
+    for (double* number : {&p.V_0, &p.m_s, &p.J, &p.J_P, &p.theta, &p.theta_peak, &p.m_w, &p.nu, &p.c}) round(*number);
+    for (Vector* v : {&p.x, &p.v, &p.grad_theta, &p.q, &p.Q_scattered}) round_all(*v);
+    Matrix strain = p.b_E - identity();  // small beside I, and of its own precision
+    for (Matrix* a : {&p.C, &p.grad_v, &p.tau, &strain}) round_matrix(*a);
+    p.b_E = identity() + strain;
+  }
+}
+
 void Baker::scatter(double dt) {
   grid_.clear();
   for (Particle& p : particles_) {

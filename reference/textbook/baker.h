@@ -33,6 +33,9 @@ class Baker {
   /// scatter -> grid -> gather. A run begins with a step of no time, which finds the first fluxes.
   void step(double dt, const Surroundings&);
 
+  /// Rounds all that the particles carry to single precision. Done before every step, it shows what a scene makes of round-off.
+  void round_to_single();
+
   const std::vector<Particle>& particles() const { return particles_; }
   /// Memory that a recipe needs for its nodes [bytes].
   static double bytes(const Recipe& recipe) { return static_cast<double>(Grid::count(recipe)) * (sizeof(Node) + 10 * sizeof(double)); }

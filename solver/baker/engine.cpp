@@ -263,7 +263,9 @@ void Engine<Real>::update_grid() {
     }
     if (physics_->moves) {
       book_gravity(mass, lattice_.origin(active_.at[s]), lattice_.dx(), (dt_ / inertia) * g, booked[s]);
-      if (at_contact) touch_contacts(s, mass, rows, booked[s]);
+      if (force_) change_velocities(s, mass, rows, booked[s], [&](const Point& x, const Vector3& v) { return force_(x, v, time_, dt_); });
+      if (at_contact)
+        change_velocities(s, mass, rows, booked[s], [&](const Point& x, const Vector3& v) { return contacts_.velocity_after(x, v); });
     }
     if (physics_->has_water && !implicit) book_water(s, booked[s]);
     if (has_surface_ && surface_.has_surface(s)) {
@@ -350,17 +352,19 @@ void Engine<Real>::load_surroundings(std::size_t slot, int first, bool at_grip, 
     }
 }
 
+/// Every node with mass gets the velocity `after`(its place, its velocity); the impulse is booked.
 template <class Real>
-void Engine<Real>::touch_contacts(std::size_t slot, const Real* mass, Real* rows, Bookings& booked) const {
+template <class After>
+void Engine<Real>::change_velocities(std::size_t slot, const Real* mass, Real* rows, Bookings& booked, After after) const {
   const Point origin = lattice_.origin(active_.at[slot]);
   for (int n = 0; n < k_block_nodes; ++n) {
     if (!(mass[n] > 0)) continue;
     Real* row = rows + n * row_size();
     const Vector3 v{double(row[0]), double(row[1]), double(row[2])};
     const Point x = node_position(origin, lattice_.dx(), n);
-    const Vector3 after = contacts_.velocity_after(x, v);
-    for (std::size_t d = 0; d < 3; ++d) row[d] = static_cast<Real>(after[d]);
-    book_impulse(x, double(mass[n]) * (after - v), booked);
+    const Vector3 changed = after(x, v);
+    for (std::size_t d = 0; d < 3; ++d) row[d] = static_cast<Real>(changed[d]);
+    book_impulse(x, double(mass[n]) * (changed - v), booked);
   }
 }
 

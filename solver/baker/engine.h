@@ -10,6 +10,7 @@
 // blocks are added in block order, and threads only decide who does which column.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -34,6 +35,10 @@ struct NewParticle {
   const Body* body;  ///< start temperature, saturation, leavener
 };
 
+/// A force that no scene has (a study's): the velocity [m/s] that a node at `x` [m] has after it, if the step's other forces left the
+/// node with `v`, in the step from `time` on for `dt` [s]. Called by several threads at once.
+using NodalForce = std::function<Vector3(const Point& x, const Vector3& v, double time, double dt)>;
+
 /// Counts since the start of the run.
 struct Counters {
   std::int64_t steps = 0;
@@ -57,6 +62,8 @@ class Engine {
   /// One step: grid update, then gather and scatter. `target` bounds the step, `next_target` the one after a step that
   /// reaches it. If the step reaches `target`, totals (and velocities) are sampled. Throws RunError.
   void step(double target, double next_target);
+  /// From now on `force` acts on every node with mass, before contact, and is booked as an impulse. No part of a checkpoint.
+  void set_force(NodalForce force) { force_ = std::move(force); }
 
   double time() const { return time_; }
   double dt() const { return dt_; }
@@ -92,7 +99,8 @@ class Engine {
   void measure_published_surface(const Air& air);
   void load_surroundings(std::size_t slot, int first, bool at_grip, Surroundings<Real>& around) const;
   void book_water(std::size_t slot, Bookings& booked) const;
-  void touch_contacts(std::size_t slot, const Real* mass, Real* rows, Bookings& booked) const;
+  template <class After>
+  void change_velocities(std::size_t slot, const Real* mass, Real* rows, Bookings& booked, After after) const;
   void pass(double next_dt, bool sample);
   void settle(std::vector<Escape<Real>>& escapes);
   void after_ordering();
@@ -109,6 +117,7 @@ class Engine {
   std::unique_ptr<Physics<Real>> physics_;
   std::unique_ptr<BlockKernel<Real>> kernel_;
   Contacts contacts_;
+  NodalForce force_;
   FreeSurfaceMeasure<Real> surface_;
   StepLimits limits_;
 

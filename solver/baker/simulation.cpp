@@ -121,6 +121,8 @@ class SimulationOf final : public Simulation {
     return true;
   }
 
+  void set_force(NodalForce force) override { engine_.set_force(std::move(force)); }
+
   void write(CheckpointWriter& out) const override {
     engine_.write(out);
     std::vector<std::int64_t> poured;

@@ -38,6 +38,7 @@ class Simulation {
   /// calls `after_step`; if that returns false, stops there. Returns whether the target was reached.
   virtual bool advance(
       double target, double next_target, const std::function<bool()>& after_step = [] { return true; }) = 0;
+  virtual void set_force(NodalForce force) = 0;  ///< see Engine
   virtual void write(CheckpointWriter& out) const = 0;
 
   virtual double time() const = 0;

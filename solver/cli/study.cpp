@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "solver/cli/commands.h"
+#include "solver/scene/input_error.h"
 
 namespace bake::cli {
 
@@ -25,9 +26,14 @@ void add_study_command(CLI::App& app, Action& action) {
   command.add_option("study", *name, "which one")->required()->check(CLI::IsMember(names));
   command.add_option("--out", options->out, "folder of the tables [results/studies/<study>]")->type_name("DIR");
   command.add_flag("--quick", options->quick, "the coarse resolutions only");
+  command.add_option("--case", options->cases, "convergence: measure this case only and keep the others' rows; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("NAME");
   command.callback([&all, name, options, &action] {
     action = [&all, name, options] {
       const auto study = std::find_if(all.begin(), all.end(), [&](const studies::Study& s) { return *name == s.name; });
+      if (!options->cases.empty() && *name != "convergence")
+        throw InputError("--case: found with the study \"" + *name + "\", allowed: with convergence");
       if (options->out.empty()) options->out = std::filesystem::path("results") / "studies" / *name;
       return study->run(*options) ? k_success : k_failed_check;
     };

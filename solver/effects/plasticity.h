@@ -123,6 +123,21 @@ struct Plasticity {
     BAKE_INLINE void operator()(auto) const {}
   };
 
+  /// Keeps what is squared or divided by off zero.
+  template <class Real>
+  static constexpr Real k_tiny = sizeof(Real) == 4 ? Real(1e-18) : Real(1e-100);
+
+  /// A lower bound of the z at which r0^2 / (1 + rate z)^2 falls to tau_y^2 + (eta/dt) z / 2, near it if it is far from 0: where the
+  /// first of both terms that grow, (1 + rate z)^2 tau_y^2 and less than (1 + rate z)^3 eta / (2 dt rate), reaches r0^2 / 2.
+  template <class Real, class V>
+  BAKE_INLINE static V far_start(V r0_squared, V rate, V tau_y, V eta_dt) {
+    constexpr Real k_largest = Real(1e36);
+    const V by_yield = sqrt(Real(0.5) * r0_squared / (tau_y * tau_y + k_tiny<Real>));
+    const V cube = min(r0_squared * (rate / (eta_dt + k_tiny<Real>)), lanes<Real>(k_largest));
+    const V by_viscosity = exp(log(cube + k_tiny<Real>) * Real(1. / 3));
+    return (min(by_yield, by_viscosity) - 1) / (rate + k_tiny<Real>);
+  }
+
   /// Solves the viscous return. With z = 2 Lambda the mapped state is p = p_tr / (1 + a K z), s = s_tr / (1 + 3 mu z), and
   /// with r(z) = sqrt(a p^2 + q^2) the two laws are
   ///     distance:   r (1 - (eta/dt) z) = tau_y        written as  tau_y / r + (eta/dt) z - 1 = 0
@@ -132,13 +147,13 @@ struct Plasticity {
   /// iteration with the lanes that still move.
   template <class V, class Mask, class Real, class Watch = Unwatched>
   BAKE_INLINE static V solve(V ap2, V q2, V aK, Real mu3, V tau_y, V eta_dt, Mask flowing, bool quadratic, Watch watch = {}) {
-    constexpr Real k_tiny = sizeof(Real) == 4 ? Real(1e-18) : Real(1e-100);
     constexpr Real k_close = sizeof(Real) == 4 ? Real(3e-4) : Real(1e-8);  // of a step; convergence is quadratic
     constexpr int k_most = sizeof(Real) == 4 ? 40 : 60;
     V z = lanes<Real>(0);
-    if (quadratic) {  // a lower bound to start from: one Newton step on the convex r^2 - tau_y^2 - (eta/dt) z / 2
-      const V slope = 2 * (ap2 * aK + q2 * mu3) + Real(0.5) * eta_dt + k_tiny;
-      z = flowing ? (ap2 + q2 - tau_y * tau_y) / slope : z;
+    if (quadratic) {  // lower bounds to start from, the first one Newton step on the convex r^2 - tau_y^2 - (eta/dt) z / 2
+      const V slope = 2 * (ap2 * aK + q2 * mu3) + Real(0.5) * eta_dt + k_tiny<Real>;
+      const V near = (ap2 + q2 - tau_y * tau_y) / slope;
+      z = flowing ? max(near, max(far_start<Real>(ap2, aK, tau_y, eta_dt), far_start<Real>(q2, lanes<Real>(mu3), tau_y, eta_dt))) : z;
     }
     const V z_most = lanes<Real>(Real(1e12) / mu3);
     Mask active = flowing;
@@ -146,18 +161,18 @@ struct Plasticity {
       watch(active);
       const V pa = 1 / (1 + aK * z), qa = 1 / (1 + mu3 * z);
       const V A = ap2 * pa * pa, B = q2 * qa * qa;
-      const V r2 = A + B + k_tiny, r = sqrt(r2);
+      const V r2 = A + B + k_tiny<Real>, r = sqrt(r2);
       const V bend = (A * pa * aK + B * qa * mu3) / r2;  // -d(ln r)/dz
       V g, slope;
       if (quadratic) {
-        const V R = tau_y * tau_y + Real(0.5) * eta_dt * z + k_tiny, root = sqrt(R);
+        const V R = tau_y * tau_y + Real(0.5) * eta_dt * z + k_tiny<Real>, root = sqrt(R);
         g = root / r - 1;  // scaled by the root of R
         slope = bend * root / r + Real(0.25) * eta_dt / R;
       } else {
         g = tau_y / r + eta_dt * z - 1;
         slope = bend * tau_y / r + eta_dt;
       }
-      const V next = min(max(z - g / (slope + k_tiny), z), z_most);
+      const V next = min(max(z - g / (slope + k_tiny<Real>), z), z_most);
       const V moved = next - z;
       z = active ? next : z;
       active = active & (moved > k_close * next);

@@ -29,6 +29,8 @@ std::vector<Errors> pulse_wave(bool quick);
 std::vector<Errors> free_bar(bool quick);
 std::vector<Errors> clamped_bar(bool quick);
 std::vector<Errors> hencky_fan(bool quick);
+std::vector<Errors> axis_aligned_waves(bool quick);
+std::vector<Errors> generalised_vortex(bool quick);
 std::vector<Errors> adiabatic(bool quick);
 std::vector<Errors> free_fall(bool quick);
 std::vector<Errors> spinning_disc(bool quick);

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Elastic waves along a bar that cannot move sideways, c = sqrt((lambda + 2 mu) / rho) = 1 m/s, so small that Hencky's law is linear.
-//
-// Manufactured solutions of finite strain (axis-aligned, vortex) need a body force that varies in space. The engine has none, and a hook
-// for it would have no other user: waves that need no force stand in for them, here of small and in fan.cpp of finite strain.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -39,6 +39,8 @@ TEST(CommandLine, WrongCommandsAreRefused) {
   expect_refused(place, "run dough more", "more");
   expect_refused(place, "study", "study is required");
   expect_refused(place, "study orders", "orders not in");
+  expect_refused(place, "study convergence --case slap", "allowed: slab_cosine, ");
+  expect_refused(place, "study surface --case slab_cosine", "allowed: with convergence");
 }
 
 TEST(CommandLine, UnknownScenesAreRefusedWithTheNearestName) {

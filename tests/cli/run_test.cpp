@@ -42,6 +42,20 @@ TEST(Run, InterruptedAndResumedGivesTheSameBitsAsNeverStopped) {
   EXPECT_EQ(contents(place.folder() / "whole/ledger.csv"), contents(place.folder() / "parts/ledger.csv"));
 }
 
+TEST(Run, ThatCannotGoOnSaysWhyAndLeavesACheckpointOfItsLastFrame) {
+  const Workplace place;
+  const std::string falls_too_fast =
+      "run dough --quiet --set run.end_s=0.2 --set run.checkpoint_every_frames=1 --set motion.gravity_m_per_s2=[0,0,-200] "
+      "--set time.smallest_step_s=2.6e-3 --out a";
+  const Outcome first = place.bake(falls_too_fast);
+  expect_one_line(first, 3, "time.smallest_step_s");
+  EXPECT_FALSE(half_written_files(place.folder() / "a"));
+  // it can be gone on with, and ends in the same step for the same reason
+  const Outcome again = place.bake(falls_too_fast + " --resume");
+  expect_one_line(again, 3, "time.smallest_step_s");
+  EXPECT_EQ(again.err, first.err);
+}
+
 TEST(Run, ResumingNeedsACheckpoint) {
   const Workplace place;
   expect_one_line(place.bake("run dough --resume --out nothing"), 2, "checkpoint");

@@ -38,6 +38,8 @@ TEST(ElasticPulse, TravelsAtSecondOrderInSpaceAndFirstInTime) { expect_held(puls
 TEST(ElasticBar, SwingsFreelyWithAPeriodOfSecondOrder) { expect_held(free_bar); }
 TEST(ElasticBar, SwingsBetweenWallsWithAPeriodOfFirstOrder) { expect_held(clamped_bar); }
 TEST(HenckyBar, TearsWithTheFanOfItsLaw) { expect_held(hencky_fan); }
+TEST(ManufacturedWaves, StandAtSecondOrderInACubeAndAtFirstBetweenWalls) { expect_held(axis_aligned_waves); }
+TEST(ManufacturedVortex, TurnsAtSecondOrderInsideAndAtFirstBetweenFreeRims) { expect_held(generalised_vortex); }
 TEST(FreeFall, IsExactInVelocityAndOfFirstOrderInPath) { expect_held(free_fall); }
 TEST(SpinningDisc, WidensAsElasticitySaysAndKeepsItsAngularMomentum) { expect_held(spinning_disc); }
 TEST(Block, SlidesAndSticksOnASlopeAsCoulombSays) { expect_held(slope); }

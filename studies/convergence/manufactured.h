@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Manufactured solutions: motions of an elastic body of finite strain that are thought up, and the body force that makes Hencky's law
+// take them. Units in which rho_0 = E = 1, with nu = 0.3.
+#pragma once
+
+#include "solver/boundary/shape.h"
+
+namespace bake::studies {
+
+namespace elastic {
+inline constexpr double nu = 0.3, lambda = nu / ((1 + nu) * (1 - 2 * nu)), mu = 1 / (2 * (1 + nu));
+inline constexpr const char* material = "young_modulus_Pa = 1\npoisson_ratio = 0.3\n";
+}  // namespace elastic
+
+/// Every axis is stretched for itself, by waves that stand in a cube of 1 m.
+namespace axis_aligned {
+Point position(const Point& X, double t);
+Vector3 velocity(const Point& x, double t);    ///< of what is at x
+Vector3 body_force(const Point& x, double t);  ///< for each unit of mass, on what is at x
+}  // namespace axis_aligned
+
+/// Rings about the z axis, of radius 0.75 to 1.25 m, turn against each other.
+namespace vortex {
+Point position(const Point& X, double t);
+Vector3 velocity(const Point& x, double t);
+Vector3 body_force(const Point& x, double t);
+}  // namespace vortex
+
+}  // namespace bake::studies
