@@ -14,8 +14,11 @@ namespace bake::cli {
 std::string version_line() {
   const nlohmann::json program = provenance()["program"];
   const bool dirty = program["dirty"].is_boolean() && program["dirty"].get<bool>();
-  return fmt::format("bake {} (commit {}{})", program["version"].get<std::string>(), program["commit"].get<std::string>(),
-                     dirty ? ", changed since" : "");
+  const auto commit = program["commit"].get<std::string>();
+  return fmt::format("bake {} (commit {}{})", program["version"].get<std::string>(), commit,
+                     commit == "unknown" ? ": built from sources without git"
+                     : dirty             ? ", changed since"
+                                         : "");
 }
 
 void add_help_commands(CLI::App& app, Action& action) {

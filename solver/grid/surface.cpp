@@ -1,108 +1,133 @@
 // SPDX-License-Identifier: MIT
 #include "solver/grid/surface.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "solver/boundary/vector3.h"
-#include "solver/grid/kernel.h"
 
 namespace bake {
 
 namespace {
 
-constexpr int k_halo = 6;  // a block and one node around it
-template <class Real>
-using Halo = Real[k_halo][k_halo][k_halo];
+// A block and one node around it: 6 x 6 lines along z. A line has room for 8, so that one loop runs through all of them and
+// vectorises; what it makes in between is not used.
+constexpr int k_side = 6, k_line = 8, k_plane = k_side * k_line;
+/// Numbers up to the last that is of use: after a difference or sum along x, along x and y, along all three.
+constexpr int k_after_x = 4 * k_plane, k_after_y = k_after_x - 2 * k_line, k_after_z = k_after_y - (k_line - 4);
+constexpr int halo_index(int x, int y, int z) { return x * k_plane + y * k_line + z; }
+static_assert(halo_index(3, 3, 3) == k_after_z - 1);
 
-/// Copies the nodes of a block and those around it; zero where there is no block.
-template <class Real, class FieldOf>
-void load_halo(const std::array<std::int32_t, 27>& around, FieldOf field_of, Halo<Real>& out) {
-  const auto nodes = [&](int column, int z) -> const Real* {
-    const std::int32_t slot = around[static_cast<std::size_t>(column * 3 + z)];
-    return slot < 0 ? nullptr : field_of(static_cast<std::size_t>(slot)).data();
-  };
-  for (int x = 0; x < k_halo; ++x)
-    for (int y = 0; y < k_halo; ++y) {
+template <class Real, int count>
+struct alignas(64) Numbers {
+  Real at[count];
+};
+template <class Real>
+using Halo = Numbers<Real, k_side * k_plane>;
+
+/// Copies the nodes of a block and those around it; `nodes_of(slot)` gives those of a block, of none if the slot is -1.
+template <class Real, class NodesOf>
+void load_halo(const std::array<std::int32_t, 27>& around, NodesOf nodes_of, Halo<Real>& out) {
+  const Real* block[27];
+  for (std::size_t i = 0; i < 27; ++i) block[i] = nodes_of(around[i]).data();
+#pragma GCC unroll 6
+  for (int x = 0; x < k_side; ++x)
+#pragma GCC unroll 6
+    for (int y = 0; y < k_side; ++y) {
       const int gx = x + 3, gy = y + 3;  // 4 is the block's first node
-      const int column = (gx >> 2) * 3 + (gy >> 2), line = node_in_block(gx & 3, gy & 3, 0);
-      const Real *below = nodes(column, 0), *mine = nodes(column, 1), *above = nodes(column, 2);
-      Real* to = out[x][y];
-      to[0] = below ? below[line + 3] : Real(0);
-      for (int z = 0; z < 4; ++z) to[1 + z] = mine ? mine[line + z] : Real(0);
-      to[5] = above ? above[line] : Real(0);
+      const Real* const* column = block + (gx >> 2) * 9 + (gy >> 2) * 3;
+      const int line = node_in_block(gx & 3, gy & 3, 0);
+      Real* to = out.at + halo_index(x, y, 0);
+      to[0] = column[0][line + 3];
+      std::memcpy(to + 1, column[1] + line, 4 * sizeof(Real));
+      to[5] = column[2][line];
+      to[6] = to[7] = 0;
     }
 }
 
-/// (1, 2, 1)/4 along each axis, from a halo to the block's nodes.
-template <class Real>
-void blur(const Halo<Real>& in, std::array<Real, k_block_nodes>& out) {
-  Real a[4][k_halo][k_halo], b[4][4][k_halo];
-  for (int x = 0; x < 4; ++x)
-    for (int y = 0; y < k_halo; ++y)
-      for (int z = 0; z < k_halo; ++z) a[x][y][z] = Real(0.25) * (in[x][y][z] + 2 * in[x + 1][y][z] + in[x + 2][y][z]);
-  for (int x = 0; x < 4; ++x)
-    for (int y = 0; y < 4; ++y)
-      for (int z = 0; z < k_halo; ++z) b[x][y][z] = Real(0.25) * (a[x][y][z] + 2 * a[x][y + 1][z] + a[x][y + 2][z]);
-  for (int x = 0; x < 4; ++x)
-    for (int y = 0; y < 4; ++y)
-      for (int z = 0; z < 4; ++z)
-        out[static_cast<std::size_t>(node_in_block(x, y, z))] = Real(0.25) * (b[x][y][z] + 2 * b[x][y][z + 1] + b[x][y][z + 2]);
+/// Sums of three, weighted (1, centre, 1), along x, y or z if the stride is k_plane, k_line or 1.
+template <int stride, class Real, int from, int count>
+void sum(const Numbers<Real, from>& in, Real centre, Numbers<Real, count>& out) {
+  static_assert(count + 2 * stride <= from);
+  for (int i = 0; i < count; ++i) out.at[i] = in.at[i] + centre * in.at[i + stride] + in.at[i + 2 * stride];
+}
+template <int stride, class Real, int from, int count>
+void difference(const Numbers<Real, from>& in, Numbers<Real, count>& out) {
+  static_assert(count + 2 * stride <= from);
+  for (int i = 0; i < count; ++i) out.at[i] = in.at[i + 2 * stride] - in.at[i];
 }
 
-/// Differences over two nodes along each axis, smoothed by (1, 6, 1)/8 along the other two.
+/// The block's own nodes, times a factor.
 template <class Real>
-void gradients(const Halo<Real>& psi, Real (&out)[3][k_block_nodes]) {
-  const auto smooth = [](Real a, Real b, Real c) { return Real(0.125) * (a + c) + Real(0.75) * b; };
-  Real along_z[k_halo][k_halo][4], smooth_z[k_halo][k_halo][4];  // the difference along z, and the smoothed value
-  for (int x = 0; x < k_halo; ++x)
-    for (int y = 0; y < k_halo; ++y)
-      for (int z = 0; z < 4; ++z) {
-        along_z[x][y][z] = psi[x][y][z + 2] - psi[x][y][z];
-        smooth_z[x][y][z] = smooth(psi[x][y][z], psi[x][y][z + 1], psi[x][y][z + 2]);
-      }
-  Real along_z_smooth_y[k_halo][4][4], smooth_zy[k_halo][4][4], along_y[k_halo][4][4];
-  for (int x = 0; x < k_halo; ++x)
-    for (int y = 0; y < 4; ++y)
-      for (int z = 0; z < 4; ++z) {
-        along_z_smooth_y[x][y][z] = smooth(along_z[x][y][z], along_z[x][y + 1][z], along_z[x][y + 2][z]);
-        smooth_zy[x][y][z] = smooth(smooth_z[x][y][z], smooth_z[x][y + 1][z], smooth_z[x][y + 2][z]);
-        along_y[x][y][z] = smooth_z[x][y + 2][z] - smooth_z[x][y][z];
-      }
+void pick(const Numbers<Real, k_after_z>& in, Real factor, std::array<Real, k_block_nodes>& out) {
   for (int x = 0; x < 4; ++x)
     for (int y = 0; y < 4; ++y)
-      for (int z = 0; z < 4; ++z) {
-        const int k = node_in_block(x, y, z);
-        out[0][k] = smooth_zy[x + 2][y][z] - smooth_zy[x][y][z];
-        out[1][k] = smooth(along_y[x][y][z], along_y[x + 1][y][z], along_y[x + 2][y][z]);
-        out[2][k] = smooth(along_z_smooth_y[x][y][z], along_z_smooth_y[x + 1][y][z], along_z_smooth_y[x + 2][y][z]);
-      }
+      for (int z = 0; z < 4; ++z) out[static_cast<std::size_t>(node_in_block(x, y, z))] = factor * in.at[halo_index(x, y, z)];
 }
 
-/// Node coordinates within the lattice.
-struct NodeIndex {
-  int at[3];
+/// (1, 2, 1)/4 along each axis, times a factor.
+template <class Real>
+void blur(const Halo<Real>& in, Real factor, std::array<Real, k_block_nodes>& out) {
+  Numbers<Real, k_after_x> x;
+  Numbers<Real, k_after_y> xy;
+  Numbers<Real, k_after_z> xyz;
+  sum<k_plane>(in, Real(2), x);
+  sum<k_line>(x, Real(2), xy);
+  sum<1>(xy, Real(2), xyz);
+  pick(xyz, factor / 64, out);
+}
+
+/// 64 times the differences over two nodes along each axis, smoothed by (1, 6, 1)/8 along the other two.
+template <class Real>
+struct Gradient {
+  Numbers<Real, k_after_z> along[3];
+  explicit Gradient(const Halo<Real>& psi) {
+    Numbers<Real, k_after_x> smooth, d_x;
+    Numbers<Real, k_after_y> smooth_smooth, d_x_smooth, smooth_d_y;
+    sum<k_plane>(psi, Real(6), smooth);
+    difference<k_plane>(psi, d_x);
+    sum<k_line>(smooth, Real(6), smooth_smooth);
+    sum<k_line>(d_x, Real(6), d_x_smooth);
+    difference<k_line>(smooth, smooth_d_y);
+    sum<1>(d_x_smooth, Real(6), along[0]);
+    sum<1>(smooth_d_y, Real(6), along[1]);
+    difference<1>(smooth_smooth, along[2]);
+  }
 };
 
-/// Faces of the domain are mirrors, not surfaces: the volume of the mirrored dough is added.
-template <class Real, class VolumeAt>
-Real mirrored(NodeIndex n, int axis, const Lattice& lattice, VolumeAt volume_at) {
-  if (axis == 3) return volume_at(n);
-  Real sum = mirrored<Real>(n, axis + 1, lattice, volume_at);
-  const int i = n.at[axis];
-  for (const int face : {static_cast<int>(lattice.low_face()), static_cast<int>(lattice.high_face(axis))})
-    if (std::abs(i - face) <= k_mirrored) {
-      n.at[axis] = 2 * face - i;
-      sum += mirrored<Real>(n, axis + 1, lattice, volume_at);
-      n.at[axis] = i;
+/// Nodes of a block along one axis that are images of others in a face of the domain: node i is that of node[i] of `block`, or of
+/// none (-1).
+struct Images {
+  int block;
+  int node[4];
+};
+
+/// A block's own nodes along an axis, and what they are images of. Returns how many.
+int find_images(int block, int axis, const Lattice& lattice, Images (&found)[5]) {
+  int count = 0;
+  found[count++] = {block, {0, 1, 2, 3}};
+  for (const int face : {static_cast<int>(lattice.low_face()), static_cast<int>(lattice.high_face(axis))}) {
+    const int others = count;
+    for (int i = 0; i < 4; ++i) {
+      const int node = 4 * block + i, image = 2 * face - node;
+      if (std::abs(node - face) > k_mirrored) continue;
+      if (count == others || found[count - 1].block != image >> 2) found[count++] = {image >> 2, {-1, -1, -1, -1}};
+      found[count - 1].node[i] = image & 3;
     }
-  return sum;
+  }
+  return count;
 }
 
-bool near_face(const BlockIndex& b, const Lattice& lattice) {
-  const int first[3] = {4 * b.x, 4 * b.y, 4 * b.z};
-  for (int d = 0; d < 3; ++d)
-    if (first[d] <= lattice.low_face() + k_mirrored || first[d] + 3 >= lattice.high_face(d) - k_mirrored) return true;
-  return false;
+template <class Nodes>
+bool any_positive(const Nodes& nodes) {
+  return std::any_of(nodes.begin(), nodes.end(), [](auto value) { return value > 0; });
+}
+
+template <class Work>
+void for_each_block(std::size_t count, Work work) {
+#pragma omp parallel for schedule(dynamic, 16)
+  for (std::int64_t s = 0; s < static_cast<std::int64_t>(count); ++s) work(static_cast<std::size_t>(s));
 }
 
 }  // namespace
@@ -111,232 +136,143 @@ template <class Real>
 void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volume_channel, const ActiveBlocks& active,
                                        const Lattice& lattice, const Contacts& contacts, const Air& air) {
   const std::size_t n = active.at.size();
-  volume_.resize(n);
-  phi_.resize(n);
-  smooth_.resize(n);
-  density_.resize(n);
+  for (auto* field : {&volume_, &mirrored_, &smooth_, &density_}) field->resize(n);
+  covered_.resize(n);
   surroundings_.resize(n);
-  has_density_.assign(n, 0);
-  has_surface_.assign(n, 0);
-  full_.assign(n, 0);
-  const double dx = lattice.dx();
-  const Real per_cell = static_cast<Real>(1 / (dx * dx * dx));
-  const auto blocks = static_cast<std::int64_t>(n);
-
-#pragma omp parallel for schedule(static)
-  for (std::int64_t i = 0; i < blocks; ++i) {
-    const auto s = static_cast<std::size_t>(i);
+  blocks_.assign(n, {});
+  for_each_block(n, [&](std::size_t s) {
     for (std::size_t k = 0; k < k_block_nodes; ++k)
       volume_[s][k] = rows[(s * k_block_nodes + k) * static_cast<std::size_t>(row_size) + static_cast<std::size_t>(volume_channel)];
-  }
+    blocks_[s].has_volume = any_positive(volume_[s]);
+  });
+  for_each_block(n, [&](std::size_t s) { mirror(s, active, lattice); });
+  for_each_block(n, [&](std::size_t s) { smooth(s, active, lattice.dx()); });
+  for_each_block(n, [&](std::size_t s) { find_density(s, active, lattice, contacts); });
+  for_each_block(n, [&](std::size_t s) { spread(s, active, air); });
+}
 
-#pragma omp parallel for schedule(static)
-  for (std::int64_t i = 0; i < blocks; ++i) {
-    const auto s = static_cast<std::size_t>(i);
-    if (!near_face(active.at[s], lattice)) {
-      for (std::size_t k = 0; k < k_block_nodes; ++k) phi_[s][k] = per_cell * volume_[s][k];
-      continue;
+/// Faces of the domain are mirrors, not surfaces: the volume of the mirrored dough is added.
+template <class Real>
+void FreeSurfaceMeasure<Real>::mirror(std::size_t s, const ActiveBlocks& active, const Lattice& lattice) {
+  const BlockIndex& b = active.at[s];
+  Images x[5], y[5], z[5];
+  const int xs = find_images(b.x, 0, lattice, x), ys = find_images(b.y, 1, lattice, y), zs = find_images(b.z, 2, lattice, z);
+  if (xs == 1 && ys == 1 && zs == 1) return;
+  blocks_[s].is_mirrored = true;
+  mirrored_[s].fill(0);
+  const auto add = [&](const Images& ix, const Images& iy, const Images& iz) {
+    const std::int32_t slot = active.slot_at({ix.block, iy.block, iz.block}, lattice);
+    if (slot < 0) return;
+    const Nodes& V = volume_[static_cast<std::size_t>(slot)];
+    for (int k = 0; k < k_block_nodes; ++k) {
+      const int from[3] = {ix.node[k >> 4], iy.node[k >> 2 & 3], iz.node[k & 3]};
+      if (from[0] >= 0 && from[1] >= 0 && from[2] >= 0)
+        mirrored_[s][static_cast<std::size_t>(k)] += V[static_cast<std::size_t>(node_in_block(from[0], from[1], from[2]))];
     }
-    const BlockIndex b = active.at[s];
-    const auto volume_at = [&](const NodeIndex& node) {
-      const std::int32_t slot = active.slot_at({node.at[0] >> 2, node.at[1] >> 2, node.at[2] >> 2}, lattice);
-      return slot < 0 ? Real(0)
-                      : volume_[static_cast<std::size_t>(slot)]
-                               [static_cast<std::size_t>(node_in_block(node.at[0] & 3, node.at[1] & 3, node.at[2] & 3))];
-    };
-    for (int k = 0; k < k_block_nodes; ++k)
-      phi_[s][static_cast<std::size_t>(k)] =
-          per_cell * mirrored<Real>({{4 * b.x + k / 16, 4 * b.y + k / 4 % 4, 4 * b.z + k % 4}}, 0, lattice, volume_at);
-  }
+  };
+  for (int i = 0; i < xs; ++i)
+    for (int j = 0; j < ys; ++j)
+      for (int k = 0; k < zs; ++k) add(x[i], y[j], z[k]);
+}
 
-#pragma omp parallel for schedule(static)
-  for (std::int64_t i = 0; i < blocks; ++i) {
-    const auto s = static_cast<std::size_t>(i);
-    Halo<Real> halo;
-    load_halo<Real>(
-        active.around[s], [&](std::size_t slot) -> const Nodes& { return phi_[slot]; }, halo);
-    blur(halo, smooth_[s]);
-    bool full = true;
-    for (const Real phi : smooth_[s]) full &= phi >= Real(0.8);
-    full_[s] = full;
-  }
+/// phi~
+template <class Real>
+void FreeSurfaceMeasure<Real>::smooth(std::size_t s, const ActiveBlocks& active, double dx) {
+  Halo<Real> halo;
+  load_halo<Real>(
+      active.around[s],
+      [&](std::int32_t slot) -> const Nodes& {
+        if (slot < 0) return k_none;
+        const auto i = static_cast<std::size_t>(slot);
+        return blocks_[i].is_mirrored ? mirrored_[i] : volume_[i];
+      },
+      halo);
+  blur(halo, static_cast<Real>(1 / (dx * dx * dx)), smooth_[s]);
+  bool full = true, empty = true;
+  for (const Real phi : smooth_[s]) full &= phi >= k_full, empty &= phi < k_no_dough;
+  blocks_[s].is_full = full;
+  blocks_[s].is_empty = empty;
+}
 
-#pragma omp parallel for schedule(dynamic, 16)
-  for (std::int64_t i = 0; i < blocks; ++i) {
-    const auto s = static_cast<std::size_t>(i);
-    const BlockIndex b = active.at[s];
-    bool inside = true;  // full all around: no gradient
-    for (const std::int32_t slot : active.around[s]) inside &= slot >= 0 && full_[static_cast<std::size_t>(slot)];
-    if (inside) continue;
-    Halo<Real> psi;
-    load_halo<Real>(
-        active.around[s], [&](std::size_t slot) -> const Nodes& { return smooth_[slot]; }, psi);
-    for (auto& plane : psi)
-      for (auto& line : plane)
-        for (Real& value : line) value = std::min(std::max((value - Real(0.2)) / Real(0.6), Real(0)), Real(1));
-    const bool near_contact = contacts.near(b, 4 * dx);
-    const Point origin = lattice.origin(b);
-    auto& density = density_[s];
-    for (auto& field : density) field.fill(0);
-    Real gradient[3][k_block_nodes];
-    gradients(psi, gradient);
-    bool any = false;
-    for (int x = 0; x < 4; ++x)
-      for (int y = 0; y < 4; ++y)
-        for (int z = 0; z < 4; ++z) {
-          const auto k = static_cast<std::size_t>(node_in_block(x, y, z));
-          if (smooth_[s][k] < Real(1e-3)) continue;
-          const Real g[3] = {gradient[0][k], gradient[1][k], gradient[2][k]};
-          const Real norm = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
-          if (norm == 0) continue;
-          any = true;
-          const Real r = norm / static_cast<Real>(2 * dx) / smooth_[s][k];
-          std::optional<ContactHeat> cover;
-          if (near_contact)
-            cover = contacts.covering(origin + dx * Vector3{double(x), double(y), double(z)},
-                                      (-1 / static_cast<double>(norm)) * Vector3{double(g[0]), double(g[1]), double(g[2])}, 2.5 * dx);
-          if (cover) {
-            density[1][k] = r;
-            density[2][k] = r * static_cast<Real>(cover->exchange);
-            density[3][k] = r * static_cast<Real>(cover->exchange * cover->temperature);
-          } else {
-            density[0][k] = r;
-          }
-        }
-    has_density_[s] = any;
-  }
-
-#pragma omp parallel for schedule(dynamic, 16)
-  for (std::int64_t i = 0; i < blocks; ++i) {
-    const auto s = static_cast<std::size_t>(i);
-    bool any = false;
-    for (const std::int32_t slot : active.around[s]) any |= slot >= 0 && has_density_[static_cast<std::size_t>(slot)];
-    has_surface_[s] = any;
-    if (!any) continue;
-    static const Nodes none{};
-    std::array<Nodes, 4> smoothed;
-    for (std::size_t field = 0; field < 4; ++field) {
-      Halo<Real> halo;
-      load_halo<Real>(
-          active.around[s], [&](std::size_t slot) -> const Nodes& { return has_density_[slot] ? density_[slot][field] : none; }, halo);
-      blur(halo, smoothed[field]);
-    }
-    BlockSurroundings<Real>& out = surroundings_[s];
-    for (std::size_t k = 0; k < k_block_nodes; ++k) {
-      const Real V = volume_[s][k];
-      out.area[k] = V * smoothed[0][k];
-      out.contact_area[k] = V * smoothed[1][k];
-      out.exchange[k] = V * (smoothed[0][k] * static_cast<Real>(air.exchange) + smoothed[2][k]);
-      out.exchange_source[k] = V * (smoothed[0][k] * static_cast<Real>(air.exchange * air.temperature) + smoothed[3][k]);
-    }
+/// r, of the air or of the solid that covers the node.
+template <class Real>
+void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& active, const Lattice& lattice, const Contacts& contacts) {
+  const auto is_full = [&](std::int32_t slot) { return slot >= 0 && blocks_[static_cast<std::size_t>(slot)].is_full; };
+  if (blocks_[s].is_empty || std::all_of(active.around[s].begin(), active.around[s].end(), is_full)) return;
+  Halo<Real> psi;
+  load_halo<Real>(
+      active.around[s], [&](std::int32_t slot) -> const Nodes& { return slot < 0 ? k_none : smooth_[static_cast<std::size_t>(slot)]; },
+      psi);
+  for (Real& value : psi.at) value = std::min(std::max((value - Real(0.2)) / (k_full - Real(0.2)), Real(0)), Real(1));
+  const Gradient<Real> g(psi);
+  Numbers<Real, k_after_z> squared;
+  for (int i = 0; i < k_after_z; ++i)
+    squared.at[i] = g.along[0].at[i] * g.along[0].at[i] + g.along[1].at[i] * g.along[1].at[i] + g.along[2].at[i] * g.along[2].at[i];
+  Nodes& r = density_[s];
+  pick(squared, Real(1), r);
+  const Real per_length = static_cast<Real>(1 / (64 * 2 * lattice.dx()));
+  for (std::size_t k = 0; k < k_block_nodes; ++k)
+    r[k] = smooth_[s][k] < k_no_dough ? Real(0) : std::sqrt(r[k]) * per_length / smooth_[s][k];
+  blocks_[s].has_density = any_positive(r);
+  if (!blocks_[s].has_density || !contacts.near(active.at[s], 4 * lattice.dx())) return;
+  const Point origin = lattice.origin(active.at[s]);
+  Covered& covered = covered_[s];
+  covered = {};
+  for (std::size_t k = 0; k < k_block_nodes; ++k) {
+    if (r[k] == 0) continue;
+    const int x = static_cast<int>(k >> 4), y = static_cast<int>(k >> 2 & 3), z = static_cast<int>(k & 3), i = halo_index(x, y, z);
+    const Vector3 inward{double(g.along[0].at[i]), double(g.along[1].at[i]), double(g.along[2].at[i])};
+    const auto cover = contacts.covering(origin + lattice.dx() * Vector3{double(x), double(y), double(z)}, (-1 / length(inward)) * inward,
+                                         2.5 * lattice.dx());
+    if (!cover) continue;
+    blocks_[s].is_covered = true;
+    covered.density[k] = r[k];
+    covered.exchange[k] = r[k] * static_cast<Real>(cover->exchange);
+    covered.source[k] = r[k] * static_cast<Real>(cover->exchange * cover->temperature);
+    r[k] = 0;
   }
 }
 
+/// A = V B^T r
 template <class Real>
-template <KernelOrder order>
-void FreeSurfaceMeasure<Real>::measure_published(const ParticleStore<Real>& store, const Real* rows, int row_size, int volume_channel,
-                                                 int ratio_column, int volume_column, const ActiveBlocks& active, const Lattice& lattice,
-                                                 const Contacts& contacts, const Air& air) {
-  const std::size_t n = active.at.size();
-  surroundings_.assign(n, {});
-  has_surface_.assign(n, 1);
-  const auto filled = [&](std::size_t slot, int node) {
-    return rows[(slot * k_block_nodes + static_cast<std::size_t>(node)) * static_cast<std::size_t>(row_size) +
-                static_cast<std::size_t>(volume_channel)] > 0;
-  };
-  // a node with mass and a neighbour without
-  const auto at_boundary = [&](std::size_t slot, int node) {
-    if (!filled(slot, node)) return false;
-    const int at[3] = {node / 16, node / 4 % 4, node % 4};
-    for (int d = 0; d < 3; ++d)
-      for (const int step : {-1, 1}) {
-        int near[3] = {at[0], at[1], at[2]}, block[3] = {1, 1, 1};
-        near[d] += step;
-        block[d] += near[d] < 0 ? -1 : near[d] > 3 ? 1 : 0;
-        near[d] &= 3;
-        const std::int32_t neighbour = active.around[slot][static_cast<std::size_t>(block[0] * 9 + block[1] * 3 + block[2])];
-        if (neighbour < 0 || !filled(static_cast<std::size_t>(neighbour), node_in_block(near[0], near[1], near[2]))) return true;
-      }
-    return false;
-  };
-  struct Nearest {
-    double distance2 = k_infinity;
-    std::size_t tile = 0;
-    int lane = 0;
-  };
-  std::vector<char> boundary(n * k_block_nodes);
-  for (std::size_t i = 0; i < boundary.size(); ++i) boundary[i] = at_boundary(i / k_block_nodes, static_cast<int>(i % k_block_nodes));
-
-  // visit(node number, weight, distance^2) for the nodes of a particle's stencil
-  const auto for_each_node = [&](const HomeBlock& home, const Lanes<Real>* columns, int l, auto visit) {
-    constexpr int N = Kernel<order>::support;
-    const Lanes<Real> x[3] = {columns[k_position_column], columns[k_position_column + 1], columns[k_position_column + 2]};
-    const Stencil<Real, order> stencil(x);
-    for (int j = 0; j < N * N * N; ++j) {
-      const int o[3] = {j / (N * N), j / N % N, j % N};
-      double weight = 1, distance2 = 0;
-      int at[3];
-      for (int d = 0; d < 3; ++d) {
-        const int node = static_cast<int>(stencil.base[d][l]) + o[d];
-        weight *= static_cast<double>(stencil.weight[d][o[d]][l]);
-        at[d] = node + 4;
-        const double r = node - static_cast<double>(x[d][l]);
-        distance2 += r * r;
-      }
-      const std::int32_t slot = home.neighbour[(at[0] >> 2) * 9 + (at[1] >> 2) * 3 + (at[2] >> 2)];
-      visit(static_cast<std::size_t>(slot) * k_block_nodes + static_cast<std::size_t>(node_in_block(at[0] & 3, at[1] & 3, at[2] & 3)),
-            weight, distance2);
+void FreeSurfaceMeasure<Real>::spread(std::size_t s, const ActiveBlocks& active, const Air& air) {
+  if (!blocks_[s].has_volume) return;
+  bool any = false, covered = false;
+  for (const std::int32_t slot : active.around[s])
+    if (slot >= 0) {
+      any |= blocks_[static_cast<std::size_t>(slot)].has_density;
+      covered |= blocks_[static_cast<std::size_t>(slot)].is_covered;
     }
+  blocks_[s].has_surface = any;
+  if (!any) return;
+  Halo<Real> halo;
+  const auto blurred = [&](Nodes& out, bool Block::*has, auto nodes_of) {
+    load_halo<Real>(
+        active.around[s],
+        [&](std::int32_t slot) -> const Nodes& {
+          return slot >= 0 && blocks_[static_cast<std::size_t>(slot)].*has ? nodes_of(static_cast<std::size_t>(slot)) : k_none;
+        },
+        halo);
+    blur(halo, Real(1), out);
   };
-  const auto for_each_particle = [&](auto visit) {
-    for (const HomeBlock& home : store.blocks)
-      for (std::int32_t t = home.first_tile; t < home.first_tile + home.tiles; ++t)
-        for (int l = 0; l < store.tiles[static_cast<std::size_t>(t)].count; ++l) visit(home, static_cast<std::size_t>(t), l);
-  };
-  std::vector<Nearest> nearest(n * k_block_nodes);
-  for_each_particle([&](const HomeBlock& home, std::size_t t, int l) {
-    for_each_node(home, store.tile(t), l, [&](std::size_t node, double, double distance2) {
-      if (boundary[node] && distance2 < nearest[node].distance2) nearest[node] = {distance2, t, l};
-    });
-  });
-  std::vector<char> chosen(store.tiles.size() * k_width<Real>);
-  for (std::size_t node = 0; node < boundary.size(); ++node)
-    if (boundary[node] && nearest[node].distance2 < k_infinity)
-      chosen[nearest[node].tile * k_width<Real> + static_cast<std::size_t>(nearest[node].lane)] = 1;
-
-  for_each_particle([&](const HomeBlock& home, std::size_t t, int l) {
-    if (!chosen[t * k_width<Real> + static_cast<std::size_t>(l)]) return;
-    const auto* columns = store.tile(t);
-    const double V =
-        static_cast<double>(columns[volume_column][l]) * (ratio_column < 0 ? 1 : static_cast<double>(columns[ratio_column][l]));
-    const double S = std::cbrt(9 * M_PI / 16 * V * V);  // pi r^2 of the sphere of volume V
-    for_each_node(home, columns, l, [&](std::size_t node, double weight, double) {
-      surroundings_[node / k_block_nodes].area[node % k_block_nodes] += static_cast<Real>(weight * S);
-    });
-  });
-  for (std::size_t s = 0; s < n; ++s) {
-    const bool near_contact = contacts.near(active.at[s], lattice.dx());
-    BlockSurroundings<Real>& out = surroundings_[s];
-    for (int k = 0; k < k_block_nodes; ++k) {
-      const Point x = lattice.origin(active.at[s]) + lattice.dx() * Vector3{double(k / 16), double(k / 4 % 4), double(k % 4)};
-      const auto cover = near_contact && out.area[k] > 0 ? contacts.covering(x, std::nullopt, lattice.dx()) : std::nullopt;
-      const Real A = out.area[k];
-      if (cover) out.contact_area[k] = A, out.area[k] = 0;
-      out.exchange[k] = A * static_cast<Real>(cover ? cover->exchange : air.exchange);
-      out.exchange_source[k] = A * static_cast<Real>(cover ? cover->exchange * cover->temperature : air.exchange * air.temperature);
-    }
+  Nodes free;
+  Covered by{};
+  blurred(free, &Block::has_density, [&](std::size_t i) -> const Nodes& { return density_[i]; });
+  if (covered)
+    for (Nodes Covered::*field : {&Covered::density, &Covered::exchange, &Covered::source})
+      blurred(by.*field, &Block::is_covered, [&](std::size_t i) -> const Nodes& { return covered_[i].*field; });
+  BlockSurroundings<Real>& out = surroundings_[s];
+  const auto beta = static_cast<Real>(air.exchange), beta_theta = static_cast<Real>(air.exchange * air.temperature);
+  for (std::size_t k = 0; k < k_block_nodes; ++k) {
+    const Real V = volume_[s][k];
+    out.area[k] = V * free[k];
+    out.contact_area[k] = V * by.density[k];
+    out.exchange[k] = V * (beta * free[k] + by.exchange[k]);
+    out.exchange_source[k] = V * (beta_theta * free[k] + by.source[k]);
   }
 }
 
 template class FreeSurfaceMeasure<float>;
 template class FreeSurfaceMeasure<double>;
-#define BAKE_INSTANTIATE(Real, order)                                                                                           \
-  template void FreeSurfaceMeasure<Real>::measure_published<order>(const ParticleStore<Real>&, const Real*, int, int, int, int, \
-                                                                   const ActiveBlocks&, const Lattice&, const Contacts&, const Air&);
-BAKE_INSTANTIATE(float, KernelOrder::quadratic)
-BAKE_INSTANTIATE(float, KernelOrder::cubic)
-BAKE_INSTANTIATE(double, KernelOrder::quadratic)
-BAKE_INSTANTIATE(double, KernelOrder::cubic)
-#undef BAKE_INSTANTIATE
 
 }  // namespace bake

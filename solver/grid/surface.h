@@ -48,17 +48,35 @@ class FreeSurfaceMeasure {
   template <KernelOrder order>
   void measure_published(const ParticleStore<Real>& store, const Real* rows, int row_size, int volume_channel, int ratio_column,
                          int volume_column, const ActiveBlocks& active, const Lattice& lattice, const Contacts& contacts, const Air& air);
-  std::size_t bytes() const { return volume_.capacity() * (3 * sizeof(Nodes) + 4 * sizeof(Nodes) + sizeof(BlockSurroundings<Real>) + 3); }
+  std::size_t bytes() const {
+    return volume_.capacity() * (4 * sizeof(Nodes) + sizeof(Covered) + sizeof(BlockSurroundings<Real>) + sizeof(Block));
+  }
   /// Does the block have any surface?
-  bool has_surface(std::size_t slot) const { return has_surface_[slot]; }
+  bool has_surface(std::size_t slot) const { return blocks_[slot].has_surface; }
   /// Surroundings of a block that has surface.
   const BlockSurroundings<Real>& at(std::size_t slot) const { return surroundings_[slot]; }
 
  private:
   using Nodes = std::array<Real, k_block_nodes>;
-  std::vector<Nodes> volume_, phi_, smooth_;
-  std::vector<std::array<Nodes, 4>> density_;  ///< r of air, r of contact, sum r beta, sum r beta theta of contact
-  std::vector<char> has_density_, has_surface_, full_;
+  static constexpr Nodes k_none{};
+  static constexpr Real k_full = Real(0.8), k_no_dough = Real(1e-3);  ///< values of phi~
+
+  struct Block {
+    bool has_volume, is_mirrored, is_full, is_empty, has_density, is_covered, has_surface;
+  };
+  /// What stands in front of the nodes of a block: sums of r, of r beta and of r beta theta.
+  struct Covered {
+    Nodes density, exchange, source;
+  };
+  void mirror(std::size_t slot, const ActiveBlocks& active, const Lattice& lattice);
+  void smooth(std::size_t slot, const ActiveBlocks& active, double dx);
+  void find_density(std::size_t slot, const ActiveBlocks& active, const Lattice& lattice, const Contacts& contacts);
+  void spread(std::size_t slot, const ActiveBlocks& active, const Air& air);
+
+  std::vector<Block> blocks_;
+  std::vector<Nodes> volume_, mirrored_, smooth_;
+  std::vector<Nodes> density_;  ///< r of nodes that touch air
+  std::vector<Covered> covered_;
   std::vector<BlockSurroundings<Real>> surroundings_;
 };
 
