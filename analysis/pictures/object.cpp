@@ -67,7 +67,8 @@ class Loader {
     }
     CutMesh pieces = cut(whole, as_eigen(*settings_.cut_point_m), as_eigen(*settings_.cut_normal), diameter(whole.points) / 300);
     if (pieces.kept.cells.empty())
-      throw InputError(fmt::format("{}: cut_point_m, cut_normal: the cut leaves nothing of {}", view_.file.string(), shown_.file().string()));
+      throw InputError(
+          fmt::format("{}: cut_point_m, cut_normal: the cut leaves nothing of {}", view_.file.string(), shown_.file().string()));
     add(pieces.kept);
     if (!pieces.face.cells.empty()) parts.push_back({std::move(pieces.face), true});
     return parts;
@@ -123,7 +124,7 @@ class Loader {
     if (settings_.paint != Paint::browning) return {};
     const CrustSettings& c = view_.crust;
     const auto of = [&](double grain, double bump, double mottle) {
-      return Grain{static_cast<float>(grain * size), static_cast<float>(bump), static_cast<float>(mottle)};
+      return Grain{static_cast<float>(grain * size), static_cast<float>(bump), static_cast<float>(mottle), inside};
     };
     return inside ? of(c.crumb_grain, c.crumb_bump, c.crumb_mottle) : of(c.grain, c.bump, c.mottle);
   }
@@ -175,7 +176,8 @@ class Loader {
       object.albedos.push_back(values.empty() ? constant_colour() : colour(values[i], false, low, high));
     }
     if (object.spheres.empty())
-      throw InputError(fmt::format("{}: cut_point_m, cut_normal: the cut leaves nothing of {}", view_.file.string(), shown_.file().string()));
+      throw InputError(
+          fmt::format("{}: cut_point_m, cut_normal: the cut leaves nothing of {}", view_.file.string(), shown_.file().string()));
     return object;
   }
 

@@ -128,9 +128,9 @@ struct CrustSettings {
   double grain = 0.022;
   double bump = 0.05;
   double mottle = 0.12;
-  double crumb_grain = 0.012;
-  double crumb_bump = 0.25;
-  double crumb_mottle = 0.15;
+  double crumb_grain = 0.014;
+  double crumb_bump = 0.6;
+  double crumb_mottle = 0.3;
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"skin", &CrustSettings::skin, "", any_number, "colours of the skin by degree of browning, rising"},

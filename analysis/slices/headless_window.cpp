@@ -12,8 +12,7 @@ namespace bake {
 namespace {
 
 void require(bool success, const char* what) {
-  if (!success)
-    throw std::runtime_error(std::string("cannot draw without a display: ") + what + " failed (is libegl-mesa0 installed?)");
+  if (!success) throw std::runtime_error(std::string("cannot draw without a display: ") + what + " failed (is libegl-mesa0 installed?)");
 }
 
 }  // namespace
@@ -28,7 +27,7 @@ HeadlessWindow::HeadlessWindow() {
   const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
   EGLConfig configuration = nullptr;
   eglChooseConfig(display_, wanted, &configuration, 1, &configurations);
-  const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,       3, EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+  const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
                             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
   context_ = eglCreateContext(display_, configurations > 0 ? configuration : nullptr, EGL_NO_CONTEXT, version);
   require(context_ != EGL_NO_CONTEXT, "eglCreateContext");

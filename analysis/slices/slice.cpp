@@ -108,8 +108,8 @@ struct Layout {
     cell_width = picture.width_px / columns;
     cell_height = (picture.height_px - foot) / rows;
     if (cell_height < 4 * text || cell_width < 8 * text)
-      throw InputError(
-          fmt::format("{} x {} panels do not fit into {} x {} pixels, allowed: a larger --size", columns, rows, picture.width_px, picture.height_px));
+      throw InputError(fmt::format("{} x {} panels do not fit into {} x {} pixels, allowed: a larger --size", columns, rows,
+                                   picture.width_px, picture.height_px));
   }
 };
 
@@ -138,11 +138,12 @@ void draw_scale_bar(Image& image, double metres_per_pixel, int x, int y, int mos
   draw_text(image, words, x, y - text * 2 / 3, text, Anchor::left, k_ink);
 }
 
-Image draw_body(const View& view, const Body& body, const PanelSettings& panel, const Span& span, const Axes& axes,
-                double metres_per_pixel, int width, int height) {
+Image draw_body(const View& view, const Body& body, const PanelSettings& panel, const Span& span, const Axes& axes, double metres_per_pixel,
+                int width, int height) {
   DrawnMesh face{&body.face, {}, !view.slice.cut, view.slice.edges};
   for (const double value : body.face.find(panel.field)->values)
-    face.colours.push_back(map_colour(panel.map, span.high > span.low ? static_cast<float>((value - span.low) / (span.high - span.low)) : 0.5f));
+    face.colours.push_back(
+        map_colour(panel.map, span.high > span.low ? static_cast<float>((value - span.low) / (span.high - span.low)) : 0.5f));
   std::vector<DrawnMesh> meshes{std::move(face)};
   if (!body.behind.cells.empty()) meshes.push_back({&body.behind, {}, true, view.slice.edges});
   const Eigen::Array2d middle = (body.low + body.high) / 2;
