@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/pictures/picture.h"
-
 #include <fmt/format.h>
 
 #include <memory>
 
 #include "analysis/cli/commands.h"
 #include "analysis/look/montage.h"
+#include "analysis/pictures/picture.h"
 #include "analysis/slices/slice.h"
 #include "analysis/surface/splat.h"
 #include "solver/scene/input_error.h"

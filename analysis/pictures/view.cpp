@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "solver/scene/input_error.h"
 #include "solver/scene/json_value.h"
@@ -82,15 +80,6 @@ void read_all_of(const SceneEntry& root, const char* name, std::vector<T>& value
   }
 }
 
-std::string read_all(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file))
-    throw InputError(fmt::format("{}: no such file, allowed: a view in TOML", quotable_path(file)));
-  std::ifstream stream(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream.is_open() || stream.bad()) throw InputError(fmt::format("{}: cannot be read", quotable_path(file)));
-  return text;
-}
-
 template <Declared T>
 std::string explained(const std::string& heading, const std::string& meaning) {
   std::string text = fmt::format("{}: {}\n", heading, meaning);
@@ -129,7 +118,7 @@ View parse_view(std::string_view text, const std::filesystem::path& name, const 
 }
 
 View read_view(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  return parse_view(read_all(file), file, overrides);
+  return parse_view(read_text_file(file), file, overrides);
 }
 
 std::string explain_view() {

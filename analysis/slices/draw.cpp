@@ -78,7 +78,7 @@ Image draw(const std::vector<DrawnMesh>& meshes, const Projection& projection, i
   renderer->ResetCameraClippingRange();
   window->Render();
   vtkNew<vtkUnsignedCharArray> bytes;
-  window->GetPixelData(0, 0, k_finer * width - 1, k_finer * height - 1, 0, bytes.Get());
+  window->GetPixelData(0, 0, k_finer * width - 1, k_finer * height - 1, 0, bytes.Get(), 0);
   Image fine(k_finer * width, k_finer * height, Colour::Ones());
   for (int y = 0; y < fine.height; ++y)
     std::copy_n(bytes->GetPointer(3L * fine.width * (fine.height - 1 - y)), 3 * fine.width, fine.at(0, y).data());
