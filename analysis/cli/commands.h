@@ -19,6 +19,9 @@ enum ExitCode { k_success = 0, k_wrong_use = 2, k_failed_run = 3 };
 using Action = std::function<void()>;
 
 void add_picture_command(CLI::App& app, Action& action);
+void add_slice_command(CLI::App& app, Action& action);
+void add_movie_command(CLI::App& app, Action& action);
+void add_montage_command(CLI::App& app, Action& action);
 void add_surface_command(CLI::App& app, Action& action);
 void add_explain_command(CLI::App& app, Action& action);
 

@@ -36,6 +36,9 @@ int run_command_line(std::vector<std::string> arguments) {
   app.require_subcommand(1);
   Action action;
   add_picture_command(app, action);
+  add_slice_command(app, action);
+  add_movie_command(app, action);
+  add_montage_command(app, action);
   add_surface_command(app, action);
   add_explain_command(app, action);
   check_command(app, arguments);

@@ -12,11 +12,45 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "solver/io/atomic_file.h"
 #include "solver/scene/input_error.h"
 
 namespace bake {
+namespace {
+
+vtkNew<vtkImageData> rendered(const std::string& text, int size) {
+  vtkNew<vtkTextProperty> font;
+  font->SetFontFamilyToArial();
+  font->SetFontSize(std::max(4, static_cast<int>(std::lround(0.72 * size))));
+  font->SetColor(1, 1, 1);
+  vtkNew<vtkImageData> drawn;
+  int extent[2];
+  vtkFreeTypeTools* tools = vtkFreeTypeTools::GetInstance();
+  tools->ScaleToPowerTwoOff();
+  if (!tools->RenderString(font, text, 72, drawn, extent)) throw std::runtime_error(fmt::format("cannot draw the text '{}'", text));
+  return drawn;
+}
+
+/// How much ink there is at a place, from 0 to 1.
+double coverage(vtkImageData* drawn, int column, int row) {
+  return static_cast<const unsigned char*>(drawn->GetScalarPointer(column, row, 0))[3] / 255.0;
+}
+
+/// The row amid those where a letter has ink.
+int middle_row(vtkImageData* letter) {
+  int first = -1, last = 0;
+  for (int row = 0; row < letter->GetDimensions()[1]; ++row)
+    for (int column = 0; column < letter->GetDimensions()[0]; ++column)
+      if (coverage(letter, column, row) > 0.5) {
+        if (first < 0) first = row;
+        last = row;
+      }
+  return (first + last) / 2;
+}
+
+}  // namespace
 
 std::array<std::uint8_t, 3> pixel(const Colour& srgb) {
   std::array<std::uint8_t, 3> bytes;
@@ -34,29 +68,38 @@ void paste(Image& image, const Image& part, int x, int y) {
       image.at(x + column, y + row) = part.at(column, row);
 }
 
+Image scaled(const Image& image, int width, int height) {
+  Image result(width, height, Colour::Zero());
+  const double step_x = static_cast<double>(image.width) / width, step_y = static_cast<double>(image.height) / height;
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const double x0 = x * step_x, x1 = x0 + step_x, y0 = y * step_y, y1 = y0 + step_y;
+      Eigen::Array3d sum = Eigen::Array3d::Zero();
+      double area = 0;
+      for (int v = static_cast<int>(y0); v < std::min<double>(image.height, y1); ++v)
+        for (int u = static_cast<int>(x0); u < std::min<double>(image.width, x1); ++u) {
+          const double share = (std::min(x1, u + 1.0) - std::max<double>(x0, u)) * (std::min(y1, v + 1.0) - std::max<double>(y0, v));
+          const auto& p = image.at(u, v);
+          sum += share * Eigen::Array3d(p[0], p[1], p[2]);
+          area += share;
+        }
+      result.at(x, y) = pixel((sum / (255 * area)).cast<float>());
+    }
+  return result;
+}
+
 void draw_text(Image& image, const std::string& text, int x, int y, int size, Anchor anchor, const Colour& srgb) {
-  vtkNew<vtkTextProperty> font;
-  font->SetFontFamilyToArial();
-  font->SetFontSize(std::max(4, static_cast<int>(std::lround(0.72 * size))));
-  font->SetColor(1, 1, 1);
-  vtkNew<vtkImageData> drawn;
-  int extent[2];
-  vtkFreeTypeTools* tools = vtkFreeTypeTools::GetInstance();
-  tools->ScaleToPowerTwoOff();
-  if (text.empty() || !tools->RenderString(font, text, 72, drawn, extent)) return;
-  int box[4];
-  tools->GetBoundingBox(font, text, 72, box);
-  int* dims = drawn->GetDimensions();
-  const int wide = std::min(extent[0], dims[0]), high = std::min(extent[1], dims[1]);
+  if (text.empty()) return;
+  const vtkNew<vtkImageData> drawn = rendered(text, size), letter = rendered("H", size);
+  const int wide = drawn->GetDimensions()[0], high = drawn->GetDimensions()[1];
   const int left = anchor == Anchor::left ? x : anchor == Anchor::right ? x - wide : x - wide / 2;
-  const int middle = static_cast<int>(std::lround(0.26 * size));  // half the height of capitals above the baseline
   const auto colour = pixel(srgb);
-  for (int row = 0; row < high; ++row) {  // row 0 is the lowest; box[2] is how far below the baseline that is
-    const int to_y = y + middle - (row + box[2]);
+  for (int row = 0; row < high; ++row) {  // row 0 is the lowest; every text of one size has its baseline in the same row
+    const int to_y = y + middle_row(letter) - row;
     for (int column = 0; column < wide; ++column) {
       const int to_x = left + column;
       if (to_x < 0 || to_y < 0 || to_x >= image.width || to_y >= image.height) continue;
-      const double cover = static_cast<unsigned char*>(drawn->GetScalarPointer(column, row, 0))[3] / 255.0;
+      const double cover = coverage(drawn, column, row);
       auto& under = image.at(to_x, to_y);
       for (std::size_t c = 0; c < 3; ++c) under[c] = static_cast<std::uint8_t>(std::lround(cover * colour[c] + (1 - cover) * under[c]));
     }

@@ -30,6 +30,9 @@ std::array<std::uint8_t, 3> pixel(const Colour& srgb);
 /// Copies `part` to where its upper left corner is (x, y); what lies outside is left out.
 void paste(Image& image, const Image& part, int x, int y);
 
+/// The image at another size, each pixel the mean of what it covers: for making it smaller.
+Image scaled(const Image& image, int width, int height);
+
 /// Where a text is anchored, horizontally; vertically it is always its middle.
 enum class Anchor { left, centre, right };
 

@@ -6,16 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
+#include "analysis/pictures/shown.h"
 #include "analysis/surface/mesh_tools.h"
-#include "analysis/surface/particles.h"
-#include "analysis/surface/splat.h"
 #include "solver/boundary/rotation.h"
-#include "solver/io/frames.h"
-#include "solver/io/hdf5.h"
 #include "solver/scene/input_error.h"
-#include "solver/scene/nearest.h"
 
 namespace bake {
 namespace {
@@ -37,48 +32,15 @@ std::vector<ColourStop> ramp(const std::vector<BrowningStop>& stops) {
   return ramp;
 }
 
-bool is_frame(const std::filesystem::path& file) {
-  const Hdf5Reader reader(file);
-  if (!reader.has("VTKHDF/Types"))
-    throw InputError(
-        fmt::format("{}: neither a frame nor a mesh, allowed: a file of bake run, bake-mesh or bake-render surface", file.string()));
-  const auto types = reader.array<std::uint8_t>("VTKHDF/Types");
-  constexpr std::uint8_t k_poly_vertex = 2;
-  return types.size() == 1 && types.front() == k_poly_vertex;
-}
-
-std::filesystem::path run_around(const std::filesystem::path& frame) {
-  const auto folder = std::filesystem::absolute(frame).parent_path().parent_path();
-  return std::filesystem::exists(folder / "frames.hdf.series") ? folder : std::filesystem::path();
-}
-
-double diameter(const std::vector<double>& points) {
-  Eigen::Array3d low = Eigen::Array3d::Constant(std::numeric_limits<double>::max()), high = -low;
-  for (std::size_t i = 0; i < points.size(); i += 3) {
-    const Eigen::Map<const Eigen::Array3d> p(&points[i]);
-    low = low.min(p);
-    high = high.max(p);
-  }
-  return points.empty() ? 0 : (high - low).matrix().norm();
-}
-
 /// Reads, cuts and paints one file.
 class Loader {
  public:
-  Loader(const std::filesystem::path& file, std::filesystem::path results, const View& view, const ObjectSettings& settings,
-         Histories& histories, int threads)
-      : file_(file), results_(std::move(results)), view_(view), settings_(settings), histories_(histories), threads_(threads) {}
+  Loader(const Shown& shown, const View& view, const ObjectSettings& settings, Histories& histories)
+      : shown_(shown), view_(view), settings_(settings), histories_(histories) {}
 
   PictureObject load() {
-    if (is_frame(file_)) {
-      particles_ = read_particles_of_frame(file_);
-      if (results_.empty()) results_ = run_around(file_);
-      if (settings_.particles == ParticleShape::spheres) return {{}, {spheres()}};
-      return painted(parts_of(splat_surface(*particles_, {settings_.spacing_m.value_or(0), threads_})));
-    }
-    Mesh mesh = read_mesh(file_);
-    if (mesh.corners == 4) mesh = boundary_of_tetrahedra(mesh);
-    return painted(parts_of(mesh));
+    if (shown_.is_frame() && settings_.particles == ParticleShape::spheres) return {{}, {spheres()}};
+    return painted(parts_of(shown_.surface(settings_.spacing_m.value_or(0))));
   }
 
  private:
@@ -105,7 +67,8 @@ class Loader {
     }
     CutMesh pieces = cut(whole, as_eigen(*settings_.cut_point_m), as_eigen(*settings_.cut_normal), diameter(whole.points) / 300);
     if (pieces.kept.cells.empty())
-      throw InputError(fmt::format("{}: cut_point_m, cut_normal: the cut leaves nothing of {}", view_.file.string(), file_.string()));
+      throw InputError(
+          fmt::format("{}: cut_point_m, cut_normal: the cut leaves nothing of {}", view_.file.string(), shown_.file().string()));
     add(pieces.kept);
     if (!pieces.face.cells.empty()) parts.push_back({std::move(pieces.face), true});
     return parts;
@@ -126,40 +89,15 @@ class Loader {
 
   /// Sees to it that the mesh has the fields that its paint needs.
   void give_fields(Mesh& mesh) {
-    const bool browned = settings_.paint == Paint::browning;
-    const std::string name = browned ? k_browning : settings_.field;
-    if (settings_.paint == Paint::constant || mesh.find(name)) return;
-    if (browned) {
-      if (results_.empty())
-        throw InputError(
-            fmt::format("{}: has no field browning, and its run is not known: give --results <folder of the run>", file_.string()));
-      const int frame = frame_at(results_, time_s(mesh));
-      if (!particles_) particles_ = read_particles_of_frame(results_ / "frames" / frame_name(frame));
-      const BrowningHistory& history = histories_.at(results_, view_.browning, frame);
-      add_fields(mesh, {{k_browning, "1", 1, history.degrees(particles_->ids)},
-                        {k_first_position, "m", 3, history.first_positions(particles_->ids)}});
-      return;
-    }
-    if (!particles_ && !results_.empty())
-      particles_ = read_particles_of_frame(results_ / "frames" / frame_name(frame_at(results_, time_s(mesh))));
-    const MeshField* field = particles_ ? particles_->find(name) : nullptr;
-    if (field && field->components == 1) return add_fields(mesh, {*field});
-    refuse_field(name, mesh.fields);
+    if (settings_.paint == Paint::field) shown_.provide(mesh, settings_.field);
+    if (settings_.paint != Paint::browning || mesh.find(k_browning)) return;
+    const BrowningHistory& history = this->history();
+    const std::vector<std::int64_t>& ids = shown_.particles().ids;
+    shown_.add_fields(mesh, {{k_browning, "1", 1, history.degrees(ids)}, {k_first_position, "m", 3, history.first_positions(ids)}});
   }
 
-  double time_s(const Mesh& mesh) const { return particles_ ? particles_->time_s : mesh.time_s; }
-
-  void add_fields(Mesh& mesh, const std::vector<MeshField>& fields) {
-    for (MeshField& field : fields_at(mesh.points, *particles_, fields, threads_, file_.string())) mesh.fields.push_back(std::move(field));
-  }
-
-  [[noreturn]] void refuse_field(const std::string& name, const std::vector<MeshField>& fields) const {
-    std::vector<std::string> known;
-    for (const MeshField& field : particles_ ? particles_->fields : fields)
-      if (field.components == 1) known.push_back(field.name);
-    if (!particles_ && known.empty())
-      throw InputError(fmt::format("{}: has no field '{}': give --results <folder of the run>", file_.string(), name));
-    throw InputError(fmt::format("{}: has no field '{}'; {}", file_.string(), name, suggestion(name, known)));
+  const BrowningHistory& history() const {
+    return histories_.at(shown_.results(), view_.browning, frame_at(shown_.results(), shown_.time_s()));
   }
 
   /// What the map spans: as the view says, else the values' own range.
@@ -186,7 +124,7 @@ class Loader {
     if (settings_.paint != Paint::browning) return {};
     const CrustSettings& c = view_.crust;
     const auto of = [&](double grain, double bump, double mottle) {
-      return Grain{static_cast<float>(grain * size), static_cast<float>(bump), static_cast<float>(mottle)};
+      return Grain{static_cast<float>(grain * size), static_cast<float>(bump), static_cast<float>(mottle), inside};
     };
     return inside ? of(c.crumb_grain, c.crumb_bump, c.crumb_mottle) : of(c.grain, c.bump, c.mottle);
   }
@@ -218,27 +156,28 @@ class Loader {
 
   SphereObject spheres() {
     std::vector<double> values;
+    const Particles& particles = shown_.particles();
     if (settings_.paint == Paint::browning) {
-      if (results_.empty()) throw InputError(fmt::format("{}: its run is not known: give --results <folder of the run>", file_.string()));
-      values = histories_.at(results_, view_.browning, frame_at(results_, particles_->time_s)).degrees(particles_->ids);
+      values = history().degrees(particles.ids);
     } else if (settings_.paint == Paint::field) {
-      const MeshField* field = particles_->find(settings_.field);
-      if (!field || field->components != 1) refuse_field(settings_.field, {});
+      const MeshField* field = particles.find(settings_.field);
+      if (!field || field->components != 1) shown_.refuse_field(settings_.field, particles.fields);
       values = field->values;
     }
     const auto [low, high] = range([&](auto visit) { std::for_each(values.begin(), values.end(), visit); });
     SphereObject object;
     object.gloss = gloss(false);
-    for (std::size_t i = 0; i < particles_->count(); ++i) {
-      const Eigen::Vector3d p = Eigen::Map<const Eigen::Vector3f>(&particles_->positions[3 * i]).cast<double>();
+    for (std::size_t i = 0; i < particles.count(); ++i) {
+      const Eigen::Vector3d p = Eigen::Map<const Eigen::Vector3f>(&particles.positions[3 * i]).cast<double>();
       if (settings_.cut_normal && (p - as_eigen(*settings_.cut_point_m)).dot(as_eigen(*settings_.cut_normal)) > 0) continue;
-      const double radius = settings_.sphere_scale * std::cbrt(particles_->volumes[i] * 3 / (4 * std::numbers::pi));
+      const double radius = settings_.sphere_scale * std::cbrt(particles.volumes[i] * 3 / (4 * std::numbers::pi));
       object.spheres.emplace_back();
       object.spheres.back() << placed(p), static_cast<float>(radius);
       object.albedos.push_back(values.empty() ? constant_colour() : colour(values[i], false, low, high));
     }
     if (object.spheres.empty())
-      throw InputError(fmt::format("{}: cut_point_m, cut_normal: the cut leaves nothing of {}", view_.file.string(), file_.string()));
+      throw InputError(
+          fmt::format("{}: cut_point_m, cut_normal: the cut leaves nothing of {}", view_.file.string(), shown_.file().string()));
     return object;
   }
 
@@ -252,15 +191,12 @@ class Loader {
     return (as_eigen(q) + as_eigen(settings_.offset_m)).cast<float>();
   }
 
-  const std::filesystem::path& file_;
-  std::filesystem::path results_;
+  const Shown& shown_;
   const View& view_;
   const ObjectSettings& settings_;
   Histories& histories_;
-  int threads_;
   std::vector<ColourStop> skin_ = ramp(view_.crust.skin), crumb_ = ramp(view_.crust.crumb);
   Rotation rotation_ = matrix(quaternion(k_rad_per_deg * settings_.rotate_deg));
-  std::optional<Particles> particles_;  ///< of the frame that is shown
 };
 
 }  // namespace
@@ -275,7 +211,7 @@ const BrowningHistory& Histories::at(const std::filesystem::path& results, const
 
 PictureObject load_object(const std::filesystem::path& file, const std::filesystem::path& results, const View& view,
                           const ObjectSettings& settings, Histories& histories, int threads) {
-  return Loader(file, results, view, settings, histories, threads).load();
+  return Loader(Shown(file, results, threads), view, settings, histories).load();
 }
 
 }  // namespace bake

@@ -147,18 +147,22 @@ struct Hit {
   Gloss gloss;
 };
 
+/// Height of the grain at a point, in units of its size: bumps up and down, or pits in a plane.
+float relief(const Grain& grain, const Vec3f& q) {
+  const float height = fractal_noise(q, 3);
+  return grain.pores ? std::min(0.0f, height + 0.05f) : height;
+}
+
 /// Normal tilted and albedo varied by the object's grain at texture coordinates `p`.
 void roughen(Hit& hit, const Grain& grain, const Vec3f& p) {
   const Vec3f q = p / grain.size;
-  if (grain.mottle > 0) hit.albedo *= std::max(0.0f, 1 + grain.mottle * fractal_noise(q * 0.37f, 3));
+  const float here = relief(grain, q);
+  if (grain.mottle > 0) hit.albedo *= std::clamp(1 + grain.mottle * (grain.pores ? 2 * here : fractal_noise(q * 0.37f, 3)), 0.0f, 1.2f);
   if (grain.bump <= 0) return;
   constexpr float k_step = 0.05f;
-  const float here = fractal_noise(q, 3);
-  const Vec3f slope = Vec3f(fractal_noise(q + Vec3f(k_step, 0, 0), 3), fractal_noise(q + Vec3f(0, k_step, 0), 3),
-                            fractal_noise(q + Vec3f(0, 0, k_step), 3)) -
-                      Vec3f::Constant(here);
-  const Vec3f tilted = hit.normal - grain.bump / k_step * (slope - slope.dot(hit.normal) * hit.normal);
-  hit.normal = tilted.normalized();
+  const auto slope = [&](const Vec3f& step) { return (relief(grain, q + k_step * step) - here) / k_step; };
+  const Vec3f gradient(slope(Vec3f::UnitX()), slope(Vec3f::UnitY()), slope(Vec3f::UnitZ()));
+  hit.normal = (hit.normal - grain.bump * (gradient - gradient.dot(hit.normal) * hit.normal)).normalized();
 }
 
 template <class T>

@@ -21,9 +21,10 @@ using Vec3f = Eigen::Vector3f;  ///< a point or direction of a picture [m]
 
 /// Fine structure that no mesh resolves, as noise in the object's texture coordinates. A look, not data.
 struct Grain {
-  float size = 0;    ///< of the largest bumps [m]; 0: none
-  float bump = 0;    ///< how much normals are tilted, about the slope of the bumps
-  float mottle = 0;  ///< how much the albedo varies, relative
+  float size = 0;      ///< of the largest bumps [m]; 0: none
+  float bump = 0;      ///< how much normals are tilted, about the slope of the bumps
+  float mottle = 0;    ///< how much the albedo varies, relative
+  bool pores = false;  ///< pits in a plane, dark at their bottoms, instead of bumps
 };
 
 /// How an object reflects light.

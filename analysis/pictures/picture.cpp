@@ -33,24 +33,6 @@ std::vector<Vec3f> outline(const PictureObject& object) {
   return points;
 }
 
-struct Ball {
-  Vec3f centre;
-  float radius;
-  float lowest;  ///< z of the lowest point
-};
-
-/// Centre of the box around all points, and the farthest of them.
-Ball ball_around(const std::vector<Vec3f>& points) {
-  Eigen::Array3f low = Eigen::Array3f::Constant(std::numeric_limits<float>::max()), high = -low;
-  for (const Vec3f& p : points) {
-    low = low.min(p.array());
-    high = high.max(p.array());
-  }
-  Ball ball{(low + high) / 2, 0, low.z()};
-  for (const Vec3f& p : points) ball.radius = std::max(ball.radius, (p - ball.centre).norm());
-  return ball;
-}
-
 /// Right, up and backward of a camera that looks along -direction.
 std::array<Vec3f, 3> axes_of(const Vec3f& direction, const Vec3f& up) {
   const Vec3f back = direction.normalized(), right = up.cross(back).normalized();
@@ -62,16 +44,17 @@ Vec3f up_for(const Vec3f& direction) {  // a camera straight above has the y axi
 }
 
 /// A table that bends up into a wall behind the objects, as photographers have it.
-TriangleObject cove(const Ball& ball, float height, const Vec3f& view_direction, const Colour& albedo) {
+TriangleObject cove(const Stage& stage, const Colour& albedo) {
+  const Vec3f view_direction = stage.camera.eye - stage.camera.target;
   Vec3f away(-view_direction.x(), -view_direction.y(), 0);
   away = away.norm() > 1e-3f ? away.normalized() : Vec3f(0, 1, 0);
   const Vec3f side(-away.y(), away.x(), 0);
-  const float r = ball.radius, reach = 4 * r, bend = 6 * r, wide = 60 * r;
+  const float r = stage.radius, reach = 4 * r, bend = 6 * r, wide = 60 * r;
   TriangleObject object;
   std::vector<Vec3f> normals;
   const auto add = [&](float forward, float up, const Vec3f& normal) {
-    Vec3f centre = ball.centre + forward * away;
-    centre.z() = height + up;
+    Vec3f centre = stage.centre + forward * away;
+    centre.z() = stage.table + up;
     for (const float s : {-1.0f, 1.0f}) {
       object.vertices.push_back(centre + s * wide * side);
       normals.push_back(normal);
@@ -94,13 +77,13 @@ TriangleObject cove(const Ball& ball, float height, const Vec3f& view_direction,
   return object;
 }
 
-void light_up(PathTracer& tracer, const View& view, const Ball& ball) {
+void light_up(PathTracer& tracer, const View& view, const Stage& stage) {
   const Vec3f towards = as_vec3f(view.light.direction).normalized();
-  const float distance = static_cast<float>(view.light.distance) * ball.radius;
+  const float distance = static_cast<float>(view.light.distance) * stage.radius;
   Lamp& lamp = tracer.lamp;
-  lamp.centre = ball.centre + distance * towards;
+  lamp.centre = stage.centre + distance * towards;
   lamp.direction = -towards;
-  lamp.half_width = static_cast<float>(view.light.size) * ball.radius;
+  lamp.half_width = static_cast<float>(view.light.size) * stage.radius;
   const float area = 4 * lamp.half_width * lamp.half_width;  // strength: albedo 1 reflects irradiance / pi
   lamp.radiance =
       linear(view.light.colour) * (static_cast<float>(view.light.strength) * std::numbers::pi_v<float> * distance * distance / area);
@@ -168,49 +151,75 @@ Image developed(const Radiance& radiance, double exposure) {
   return image;
 }
 
-Image take_picture(const View& view, const std::vector<std::filesystem::path>& files, const std::vector<std::filesystem::path>& results,
-                   Histories& histories, int threads, const std::function<void(double share)>& progress) {
+Composition compose(const View& view, const std::vector<std::filesystem::path>& files, const std::vector<std::filesystem::path>& results,
+                    Histories& histories, int threads) {
   if (files.size() != view.objects.size())
     throw InputError(fmt::format("{}: found {} [[object]] for {} files, allowed: one for each", quotable_path(view.file),
                                  view.objects.size(), files.size()));
-  PathTracer tracer;
-  std::vector<std::vector<Vec3f>> outlines;
-  std::vector<Vec3f> points;
+  Composition composition;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    PictureObject object = load_object(files[i], results[i], view, view.objects[i], histories, threads);
-    outlines.push_back(outline(object));
-    points.insert(points.end(), outlines.back().begin(), outlines.back().end());
+    composition.objects.push_back(load_object(files[i], results[i], view, view.objects[i], histories, threads));
+    composition.outlines.push_back(outline(composition.objects.back()));
+  }
+  return composition;
+}
+
+std::vector<Vec3f> points_of(const Composition& composition) {
+  std::vector<Vec3f> points;
+  for (const auto& outline : composition.outlines) points.insert(points.end(), outline.begin(), outline.end());
+  return points;
+}
+
+Stage set_stage(const View& view, const std::vector<Vec3f>& points) {
+  Eigen::Array3f low = Eigen::Array3f::Constant(std::numeric_limits<float>::max()), high = -low;
+  for (const Vec3f& p : points) {
+    low = low.min(p.array());
+    high = high.max(p.array());
+  }
+  Stage stage{{}, (low + high) / 2, 0, view.ground.height_m ? static_cast<float>(*view.ground.height_m) : low.z()};
+  for (const Vec3f& p : points) stage.radius = std::max(stage.radius, (p - stage.centre).norm());
+  const double aspect = static_cast<double>(view.picture.width_px) / view.picture.height_px;
+  const bool titled = std::any_of(view.objects.begin(), view.objects.end(), [](const ObjectSettings& o) { return !o.title.empty(); });
+  const CameraSettings& camera = view.camera;
+  stage.camera =
+      fitted_camera(points, as_vec3f(camera.direction), camera.angle_of_view_deg, aspect, camera.margin, titled ? 1.6 * k_title_height : 0);
+  if (!camera.fit) {
+    stage.camera.eye = as_vec3f(*camera.eye_m);
+    stage.camera.target = as_vec3f(*camera.target_m);
+    stage.camera.up = up_for(stage.camera.eye - stage.camera.target);
+  }
+  return stage;
+}
+
+Image take_picture(const View& view, Composition composition, const Stage& stage, int threads,
+                   const std::function<void(double share)>& progress) {
+  PathTracer tracer;
+  for (PictureObject& object : composition.objects) {
     for (TriangleObject& mesh : object.meshes) tracer.add(std::move(mesh));
     for (SphereObject& spheres : object.spheres) tracer.add(std::move(spheres));
   }
-  const Ball ball = ball_around(points);
-  const bool titled = std::any_of(view.objects.begin(), view.objects.end(), [](const ObjectSettings& o) { return !o.title.empty(); });
-  Camera camera = fitted_camera(points, as_vec3f(view.camera.direction), view.camera.angle_of_view_deg,
-                                static_cast<double>(view.picture.width_px) / view.picture.height_px, view.camera.margin,
-                                titled ? 1.6 * k_title_height : 0);
-  if (!view.camera.fit) {
-    camera.eye = as_vec3f(*view.camera.eye_m);
-    camera.target = as_vec3f(*view.camera.target_m);
-    camera.up = up_for(camera.eye - camera.target);
-  }
-  if (view.ground.show)
-    tracer.add(cove(ball, view.ground.height_m ? static_cast<float>(*view.ground.height_m) : ball.lowest, camera.eye - camera.target,
-                    linear(view.ground.colour)));
-  light_up(tracer, view, ball);
-
+  if (view.ground.show) tracer.add(cove(stage, linear(view.ground.colour)));
+  light_up(tracer, view, stage);
   const Exposure exposure{view.picture.width_px, view.picture.height_px, view.picture.samples, threads};
   const auto rows_done = [&](int rows) {
     if (progress) progress(static_cast<double>(rows) / exposure.height);
   };
-  Image image = developed(tracer.expose(camera, exposure, rows_done), view.picture.exposure);
+  Image image = developed(tracer.expose(stage.camera, exposure, rows_done), view.picture.exposure);
   const int size = static_cast<int>(std::lround(k_title_height * image.height));
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const Extent extent = extent_of(outlines[i], camera, view.picture);
+  for (std::size_t i = 0; i < view.objects.size(); ++i) {
+    const Extent extent = extent_of(composition.outlines[i], stage.camera, view.picture);
     const double y = std::min(extent.bottom + 0.9 * size, image.height - 0.6 * size);
     draw_text(image, view.objects[i].title, static_cast<int>((extent.left + extent.right) / 2), static_cast<int>(y), size, Anchor::centre,
               Colour::Constant(0.15f));
   }
   return image;
+}
+
+Image take_picture(const View& view, const std::vector<std::filesystem::path>& files, const std::vector<std::filesystem::path>& results,
+                   Histories& histories, int threads, const std::function<void(double share)>& progress) {
+  Composition composition = compose(view, files, results, histories, threads);
+  const Stage stage = set_stage(view, points_of(composition));
+  return take_picture(view, std::move(composition), stage, threads, progress);
 }
 
 }  // namespace bake

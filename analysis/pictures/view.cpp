@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "solver/scene/input_error.h"
 #include "solver/scene/json_value.h"
@@ -32,6 +30,7 @@ constexpr std::tuple k_tables{
     ViewTable<BrowningLaw>{"browning", &View::browning,
                            "how crust browns: dB/dt = 1/t_ref 10^((theta - theta_ref)/theta_10) min(1, w/w_ref)"},
     ViewTable<CrustSettings>{"crust", &View::crust, "how browned dough looks"},
+    ViewTable<SliceSettings>{"slice", &View::slice, "the plane of technical pictures (bake-render slice)"},
 };
 
 bool is_zero(const Vector3& v) { return v == Vector3{0, 0, 0}; }
@@ -47,6 +46,7 @@ void check(const SceneEntry& root, const View& view) {
   const auto table = [&](const char* name) { return root.find(name).value_or(root.absent_table(name)); };
   const SceneEntry camera = table("camera");
   if (is_zero(view.camera.direction)) camera.find("direction")->complain("found no direction, allowed: not all zero");
+  if (is_zero(view.slice.normal)) table("slice").find("normal")->complain("found no direction, allowed: not all zero");
   if (is_zero(view.light.direction)) table("light").find("direction")->complain("found no direction, allowed: not all zero");
   if (!view.camera.fit && (!view.camera.eye_m || !view.camera.target_m || view.camera.eye_m == view.camera.target_m))
     camera.complain("fit = false needs eye_m and target_m, two different points");
@@ -55,28 +55,29 @@ void check(const SceneEntry& root, const View& view) {
   check_ramp(table("crust"), "crumb", view.crust.crumb);
 }
 
+template <class T>
+void check_range(const SceneEntry& entry, const T& value) {
+  if (value.range_low && value.range_high && *value.range_low >= *value.range_high)
+    entry.complain(fmt::format("found range_low {} and range_high {}, allowed: a rising range", *value.range_low, *value.range_high));
+}
+
+void check(const SceneEntry& entry, const PanelSettings& panel) { check_range(entry, panel); }
+
 void check(const SceneEntry& entry, const ObjectSettings& object) {
+  check_range(entry, object);
   if (object.cut_point_m.has_value() != object.cut_normal.has_value()) entry.complain("a cut needs both cut_point_m and cut_normal");
   if (object.cut_normal && is_zero(*object.cut_normal)) entry.find("cut_normal")->complain("found no direction, allowed: not all zero");
-  if (object.range_low && object.range_high && *object.range_low >= *object.range_high)
-    entry.complain(fmt::format("found range_low {} and range_high {}, allowed: a rising range", *object.range_low, *object.range_high));
 }
 
-void read_objects(const SceneEntry& list, View& view) {
-  if (!list.node().is_array()) list.refuse("tables under [[object]]");
-  for (const SceneEntry& entry : list.elements()) {
-    view.objects.push_back(read_table<ObjectSettings>(entry));
-    check(entry, view.objects.back());
+template <class T>
+void read_all_of(const SceneEntry& root, const char* name, std::vector<T>& values) {
+  const auto list = root.find(name);
+  if (!list) return;
+  if (!list->node().is_array()) list->refuse(fmt::format("tables under [[{}]]", name));
+  for (const SceneEntry& entry : list->elements()) {
+    values.push_back(read_table<T>(entry));
+    check(entry, values.back());
   }
-}
-
-std::string read_all(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file))
-    throw InputError(fmt::format("{}: no such file, allowed: a view in TOML", quotable_path(file)));
-  std::ifstream stream(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream.is_open() || stream.bad()) throw InputError(fmt::format("{}: cannot be read", quotable_path(file)));
-  return text;
 }
 
 template <Declared T>
@@ -99,7 +100,7 @@ View parse_view(std::string_view text, const std::filesystem::path& name, const 
   toml::table table = parse_toml(text, document.name);
   for (const std::string& text_of_override : overrides) apply_override(table, text_of_override);
   const SceneEntry root(document, table);
-  std::vector<std::string> known = {"object"};
+  std::vector<std::string> known = {"panel", "object"};
   std::apply([&](const auto&... t) { (known.emplace_back(t.name), ...); }, k_tables);
   root.refuse_unknown(known);
 
@@ -110,19 +111,21 @@ View parse_view(std::string_view text, const std::filesystem::path& name, const 
   };
   std::apply([&](const auto&... t) { (read(t), ...); }, k_tables);
   check(root, view);
-  if (const auto objects = root.find("object")) read_objects(*objects, view);
+  read_all_of(root, "panel", view.panels);
+  read_all_of(root, "object", view.objects);
   if (view.objects.empty()) view.objects.emplace_back();
   return view;
 }
 
 View read_view(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  return parse_view(read_all(file), file, overrides);
+  return parse_view(read_text_file(file), file, overrides);
 }
 
 std::string explain_view() {
   std::string text;
   const auto add = [&]<class T>(const ViewTable<T>& t) { text += explained<T>(fmt::format("[{}]", t.name), t.meaning); };
   std::apply([&](const auto&... t) { (add(t), ...); }, k_tables);
+  text += explained<PanelSettings>("[[panel]]", "one for each field of a technical picture (bake-render slice)");
   return text + explained<ObjectSettings>("[[object]]", "one for each file on the command line, in order; none is like one with defaults");
 }
 

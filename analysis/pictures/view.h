@@ -128,9 +128,9 @@ struct CrustSettings {
   double grain = 0.022;
   double bump = 0.05;
   double mottle = 0.12;
-  double crumb_grain = 0.012;
-  double crumb_bump = 0.25;
-  double crumb_mottle = 0.15;
+  double crumb_grain = 0.014;
+  double crumb_bump = 0.6;
+  double crumb_mottle = 0.3;
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"skin", &CrustSettings::skin, "", any_number, "colours of the skin by degree of browning, rising"},
@@ -197,6 +197,44 @@ struct ObjectSettings {
   }
 };
 
+/// [slice] - for technical pictures: the cut and how it is drawn
+struct SliceSettings {
+  Vector3 normal = {0, -1, 0};
+  std::optional<Vector3> point_m;
+  bool cut = true;
+  bool edges = false;
+  std::optional<Vector3> centre_m;
+  std::optional<double> width_m;
+  static constexpr auto parameters() {
+    return std::tuple{
+        Parameter{"normal", &SliceSettings::normal, "", any_number, "the side of the plane that is taken away, from which it is seen"},
+        Parameter{"point_m", &SliceSettings::point_m, "m", any_number, "a point of the plane; default: the middle of each body"},
+        Parameter{"cut", &SliceSettings::cut, "", any_number, "cut the bodies, or show their surfaces painted by the field"},
+        Parameter{"edges", &SliceSettings::edges, "", any_number, "draw the edges of the triangles"},
+        Parameter{"centre_m", &SliceSettings::centre_m, "m", any_number, "middle of a close-up; default: that of each body"},
+        Parameter{"width_m", &SliceSettings::width_m, "m", positive, "width of a close-up; default: all bodies are seen whole"},
+    };
+  }
+};
+
+/// [[panel]] - one for each field of a technical picture
+struct PanelSettings {
+  std::string field;
+  std::string label;
+  ColourMap map = ColourMap::viridis;
+  std::optional<double> range_low;
+  std::optional<double> range_high;
+  static constexpr auto parameters() {
+    return std::tuple{
+        Parameter{"field", &PanelSettings::field, "", any_number, "name of a scalar", Presence::required},
+        Parameter{"label", &PanelSettings::label, "", any_number, "below the colour bar; default: the field's name and unit"},
+        Parameter{"map", &PanelSettings::map, "", any_number, "its colours"},
+        Parameter{"range_low", &PanelSettings::range_low, "", any_number, "value at the map's start; default: the smallest"},
+        Parameter{"range_high", &PanelSettings::range_high, "", any_number, "value at the map's end; default: the largest"},
+    };
+  }
+};
+
 struct View {
   std::filesystem::path file;
   PictureSettings picture;
@@ -206,6 +244,8 @@ struct View {
   GroundSettings ground;
   BrowningLaw browning;
   CrustSettings crust;
+  SliceSettings slice;
+  std::vector<PanelSettings> panels;    ///< of technical pictures
   std::vector<ObjectSettings> objects;  ///< at least one
 };
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/pictures/picture.h"
-
 #include <fmt/format.h>
 
 #include <memory>
 
 #include "analysis/cli/commands.h"
+#include "analysis/look/montage.h"
+#include "analysis/pictures/picture.h"
+#include "analysis/slices/slice.h"
 #include "analysis/surface/splat.h"
 #include "solver/scene/input_error.h"
 
@@ -28,6 +29,51 @@ void add_picture_command(CLI::App& app, Action& action) {
       Meter meter(options->out.filename().string());
       write_png(options->out, take_picture(options->read(), options->files, options->results_of(options->files.size()), histories,
                                            thread_count(options->threads), [&](double share) { meter(share); }));
+    };
+  });
+}
+
+void add_slice_command(CLI::App& app, Action& action) {
+  struct Options : PictureOptions {
+    std::vector<std::filesystem::path> files;
+    std::filesystem::path out;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("slice", "A technical picture: bodies cut open, painted by the fields of the view's [[panel]]s");
+  options->add_to(*command);
+  command->add_option("files", options->files, "frames or meshes")->required();
+  command->add_option("--out", options->out, "the picture, a PNG file")->required();
+  command->callback([&action, options] {
+    action = [options] {
+      check_ending(options->out, ".png");
+      write_png(options->out,
+                take_slices(options->read(), options->files, options->results_of(options->files.size()), thread_count(options->threads)));
+    };
+  });
+}
+
+void add_montage_command(CLI::App& app, Action& action) {
+  struct Options {
+    std::vector<std::filesystem::path> pictures;
+    std::vector<std::string> labels;
+    std::filesystem::path out;
+    int columns = 0;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("montage", "Pictures side by side, with labels");
+  command->add_option("pictures", options->pictures, "PNG files")->required();
+  command->add_option("--out", options->out, "the montage, a PNG file")->required();
+  command->add_option("--label", options->labels, "text below a picture; one for each, in order")->allow_extra_args(false);
+  command->add_option("--columns", options->columns, "pictures in a row [all]")->check(CLI::Range(1, 1000));
+  command->callback([&action, options] {
+    action = [options] {
+      check_ending(options->out, ".png");
+      if (!options->labels.empty() && options->labels.size() != options->pictures.size())
+        throw InputError(fmt::format("--label: found {} labels for {} pictures, allowed: one for each or none", options->labels.size(),
+                                     options->pictures.size()));
+      std::vector<Image> images;
+      for (const auto& picture : options->pictures) images.push_back(read_png(picture));
+      write_png(options->out, montage(images, options->labels, options->columns > 0 ? options->columns : static_cast<int>(images.size())));
     };
   });
 }

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+
+#include "analysis/cli/commands.h"
+#include "analysis/pictures/picture.h"
+#include "solver/scene/entry.h"
+#include "solver/scene/input_error.h"
+
+namespace bake::render {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The .hdf files of a results folder's frames/, or of a folder of surfaces, in the order of their names.
+std::vector<fs::path> files_in(const fs::path& folder) {
+  const fs::path place = fs::is_directory(folder / "frames") ? folder / "frames" : folder;
+  if (!fs::is_directory(place))
+    throw InputError(fmt::format("{}: no such folder, allowed: a run's results, or a folder of surfaces", quotable_path(folder)));
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(place))
+    if (entry.path().extension() == ".hdf") files.push_back(entry.path());
+  if (files.empty())
+    throw InputError(fmt::format("{}: found no .hdf file, allowed: a run's results, or a folder of surfaces", quotable_path(folder)));
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Every n-th of them, and the last.
+std::vector<fs::path> thinned(const std::vector<fs::path>& files, int every) {
+  std::vector<fs::path> some;
+  for (std::size_t i = 0; i < files.size(); i += static_cast<std::size_t>(every)) some.push_back(files[i]);
+  if (some.back() != files.back()) some.push_back(files.back());
+  return some;
+}
+
+/// Runs a program and waits for it. False if it is not there; throws std::runtime_error if it fails.
+bool call(const std::vector<std::string>& words) {
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  constexpr int k_not_there = 127;
+  const pid_t child = fork();
+  if (child == 0) {
+    execvp(arguments[0], arguments.data());
+    _exit(k_not_there);
+  }
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) < 0) throw std::runtime_error(fmt::format("{} cannot be started", words[0]));
+  if (WIFEXITED(status) && WEXITSTATUS(status) == k_not_there) return false;
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error(fmt::format("{} failed", words[0]));
+  return true;
+}
+
+struct Options : PictureOptions {
+  fs::path folder, out;
+  int every = 1;
+  double rate = 24;
+};
+
+/// One camera for the whole movie: what is seen first and last fits into the picture.
+Stage stage_of(const View& view, const std::vector<fs::path>& files, const fs::path& results, int threads) {
+  std::vector<Vec3f> points;
+  for (const fs::path& file : {files.back(), files.front()}) {
+    Histories histories;
+    const auto more = points_of(compose(view, {file}, {results}, histories, threads));
+    points.insert(points.end(), more.begin(), more.end());
+  }
+  return set_stage(view, points);
+}
+
+void make_movie(const Options& options) {
+  const View view = options.read();
+  const int threads = thread_count(options.threads);
+  const std::vector<fs::path> files = thinned(files_in(options.folder), options.every);
+  const fs::path results = options.results_of(1).front();
+  const Stage stage = stage_of(view, files, results, threads);
+  fs::create_directories(options.out);
+  Histories histories;
+  Meter meter(options.out.filename().string());
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const auto progress = [&](double share) { meter((static_cast<double>(i) + share) / static_cast<double>(files.size())); };
+    write_png(options.out / fmt::format("{:04}.png", i),
+              take_picture(view, compose(view, {files[i]}, {results}, histories, threads), stage, threads, progress));
+  }
+  const std::string pictures = (options.out / "%04d.png").string(), film = (options.out / "movie.mp4").string();
+  const bool filmed = call({"ffmpeg", "-y", "-loglevel", "error", "-framerate", fmt::format("{:g}", options.rate), "-i", pictures, "-vf",
+                            "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", film});
+  fmt::print("{}\n",
+             filmed ? film : fmt::format("{} pictures in {}; for an mp4 apt-get install ffmpeg", files.size(), options.out.string()));
+}
+
+}  // namespace
+
+void add_movie_command(CLI::App& app, Action& action) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("movie", "Numbered pictures of all frames of a run, and an mp4 if ffmpeg is there");
+  options->add_to(*command);
+  command->add_option("folder", options->folder, "results of a run, or a folder of surfaces")->required();
+  command->add_option("--out", options->out, "folder of the pictures")->required();
+  command->add_option("--every", options->every, "take every n-th frame, and the last [1]")->check(CLI::Range(1, 1000000));
+  command->add_option("--rate", options->rate, "pictures per second of the mp4 [24]")->check(CLI::PositiveNumber);
+  command->callback([&action, options] { action = [options] { make_movie(*options); }; });
+}
+
+}  // namespace bake::render

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "analysis/pictures/shown.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <limits>
+
+#include "analysis/browning/browning.h"
+#include "analysis/surface/mesh_tools.h"
+#include "analysis/surface/splat.h"
+#include "solver/io/frames.h"
+#include "solver/io/hdf5.h"
+#include "solver/scene/input_error.h"
+#include "solver/scene/nearest.h"
+
+namespace bake {
+namespace {
+
+bool holds_particles(const std::filesystem::path& file) {
+  const Hdf5Reader reader(file);
+  if (!reader.has("VTKHDF/Types"))
+    throw InputError(
+        fmt::format("{}: neither a frame nor a mesh, allowed: a file of bake run, bake-mesh or bake-render surface", file.string()));
+  const auto types = reader.array<std::uint8_t>("VTKHDF/Types");
+  constexpr std::uint8_t k_poly_vertex = 2;
+  return types.size() == 1 && types.front() == k_poly_vertex;
+}
+
+std::filesystem::path run_around(const std::filesystem::path& frame) {
+  const auto folder = std::filesystem::absolute(frame).parent_path().parent_path();
+  return std::filesystem::exists(folder / "frames.hdf.series") ? folder : std::filesystem::path();
+}
+
+}  // namespace
+
+double diameter(const std::vector<double>& points) {
+  Eigen::Array3d low = Eigen::Array3d::Constant(std::numeric_limits<double>::max()), high = -low;
+  for (std::size_t i = 0; i < points.size(); i += 3) {
+    const Eigen::Map<const Eigen::Array3d> p(&points[i]);
+    low = low.min(p);
+    high = high.max(p);
+  }
+  return points.empty() ? 0 : (high - low).matrix().norm();
+}
+
+Shown::Shown(std::filesystem::path file, std::filesystem::path results, int threads)
+    : file_(std::move(file)), results_(std::move(results)), threads_(threads) {
+  if (holds_particles(file_)) {
+    particles_ = read_particles_of_frame(file_);
+    time_s_ = particles_->time_s;
+    if (results_.empty()) results_ = run_around(file_);
+    return;
+  }
+  mesh_ = read_mesh(file_);
+  time_s_ = mesh_->time_s;
+  if (mesh_->corners == 4) mesh_ = boundary_of_tetrahedra(*mesh_);
+}
+
+Mesh Shown::surface(double spacing_m) const { return mesh_ ? *mesh_ : splat_surface(*particles_, {spacing_m, threads_}); }
+
+const std::filesystem::path& Shown::results() const {
+  if (results_.empty()) throw InputError(fmt::format("{}: its run is not known: give --results <folder of the run>", file_.string()));
+  return results_;
+}
+
+const Particles& Shown::particles() const {
+  if (!particles_) particles_ = read_particles_of_frame(results() / "frames" / frame_name(frame_at(results(), time_s_)));
+  return *particles_;
+}
+
+void Shown::add_fields(Mesh& mesh, const std::vector<MeshField>& fields) const {
+  for (MeshField& field : fields_at(mesh.points, particles(), fields, threads_, file_.string())) mesh.fields.push_back(std::move(field));
+}
+
+void Shown::provide(Mesh& mesh, const std::string& name) const {
+  if (const MeshField* own = mesh.find(name); own && own->components == 1) return;
+  if (!particles_ && results_.empty() && !mesh.fields.empty()) refuse_field(name, mesh.fields);
+  const MeshField* field = particles().find(name);
+  if (!field || field->components != 1) refuse_field(name, particles().fields);
+  add_fields(mesh, {*field});
+}
+
+void Shown::refuse_field(const std::string& name, const std::vector<MeshField>& fields) const {
+  std::vector<std::string> known;
+  for (const MeshField& field : fields)
+    if (field.components == 1) known.push_back(field.name);
+  throw InputError(fmt::format("{}: has no field '{}'; {}", file_.string(), name, suggestion(name, known)));
+}
+
+}  // namespace bake

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+// Views, and pictures taken by them.
+#include "analysis/pictures/picture.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "analysis/surface/splat.h"
+#include "solver/io/atomic_file.h"
+#include "solver/scene/input_error.h"
+#include "tests/unit/analysis/runs.h"
+
+namespace bake {
+namespace {
+
+std::string refusal(const std::string& text) {
+  return message_of<InputError>([&] { parse_view(text, "loaf.toml"); });
+}
+
+TEST(View, SaysWhatIsWrongInOneLine) {
+  EXPECT_TRUE(has(refusal("[camera]\nmargn = 0.1"), "loaf.toml:2: camera: unknown key 'margn', did you mean 'margin'?"));
+  EXPECT_TRUE(has(refusal("[lights]"), "unknown key 'lights', did you mean 'light'?"));
+  EXPECT_TRUE(has(refusal("[camera]\nmargin = 0.9"), "camera.margin: found 0.9, allowed: a number from 0 to 0.45"));
+  EXPECT_TRUE(has(refusal("[[object]]\nmap = \"jet\""), "object.0.map: unknown name 'jet'"));
+  EXPECT_TRUE(has(refusal("[[object]]\ncut_normal = [1, 0, 0]"), "a cut needs both cut_point_m and cut_normal"));
+  EXPECT_TRUE(has(refusal("[[object]]\ncut_point_m = [1, 0, 0]\ncut_normal = [0, 0, 0]"), "cut_normal: found no direction"));
+  EXPECT_TRUE(has(refusal("[[object]]\nrange_low = 3\nrange_high = 3"), "allowed: a rising range"));
+  EXPECT_TRUE(has(refusal("[camera]\nfit = false"), "fit = false needs eye_m and target_m"));
+  EXPECT_TRUE(has(refusal("[camera]\neye_m = [0, 0, 1]"), "need fit = false"));
+  EXPECT_TRUE(has(refusal("[camera]\ndirection = [0, 0, 0]"), "camera.direction: found no direction"));
+  EXPECT_TRUE(has(refusal("[crust]\nskin = []"), "crust.skin: found no rising degrees"));
+  EXPECT_TRUE(has(refusal("[camera"), "no valid TOML"));
+  EXPECT_TRUE(has(message_of<InputError>([] { read_view("missing.toml"); }), "missing.toml: no such file"));
+}
+
+TEST(View, TakesOverridesAndDefaults) {
+  const View view = parse_view("", "loaf.toml", {"camera.margin=0.2"});
+  EXPECT_EQ(view.camera.margin, 0.2);
+  EXPECT_EQ(view.objects.size(), 1u);
+  EXPECT_EQ(view.objects[0].paint, Paint::browning);
+}
+
+TEST(View, ExplainsEveryKey) {
+  const std::string text = explain_view();
+  for (const char* key : {"angle_of_view_deg", "reference_time_s", "crumb_mottle", "cut_normal", "size", "backdrop", "height_m"})
+    EXPECT_NE(text.find(key), std::string::npos) << key;
+}
+
+/// What of the picture `points` fill, from 0 to 1 from the left and from the top.
+struct Filled {
+  double left = 1, right = 0, top = 1, bottom = 0;
+};
+Filled filled(const std::vector<Vec3f>& points, const Camera& camera, double aspect) {
+  const Vec3f back = (camera.eye - camera.target).normalized(), right = camera.up.cross(back).normalized(), up = back.cross(right);
+  Filled f;
+  for (const Vec3f& p : points) {
+    const double depth = back.dot(camera.eye - p);
+    const double x = 0.5 + right.dot(p - camera.eye) / (2 * depth * camera.half_height * aspect);
+    const double y = 0.5 - up.dot(p - camera.eye) / (2 * depth * camera.half_height);
+    f = {std::min(f.left, x), std::max(f.right, x), std::min(f.top, y), std::max(f.bottom, y)};
+  }
+  return f;
+}
+
+TEST(FittedCamera, TouchesTheMargins) {
+  const std::vector<Vec3f> wide = {{-3, 0, 0}, {2, 0.5f, 0.2f}, {0, 1, 0.1f}, {1, -1, 0.3f}},
+                           high = {{0, 0, -3}, {0.1f, 0.2f, 2}, {0, 0.1f, 0}};
+  const Filled w = filled(wide, fitted_camera(wide, {0.3f, -1, 0.5f}, 30, 4.0 / 3, 0.1, 0.05), 4.0 / 3);
+  EXPECT_NEAR(w.left, 0.1, 1e-4);
+  EXPECT_NEAR(w.right, 0.9, 1e-4);
+  EXPECT_GE(w.top, 0.1);
+  EXPECT_LE(w.bottom, 0.85);
+  const Filled h = filled(high, fitted_camera(high, {0.3f, -1, 0.5f}, 30, 4.0 / 3, 0.1, 0.05), 4.0 / 3);
+  EXPECT_NEAR(h.top, 0.1, 1e-4);
+  EXPECT_NEAR(h.bottom, 0.85, 1e-4);
+  EXPECT_NEAR((h.left + h.right) / 2, 0.5, 0.02);  // near and far points differ
+}
+
+/// A ball whose upper half has been hot and dry.
+class Pictures : public testing::Test {
+ protected:
+  Pictures() {
+    write_run(folder / "run", ball, 3, [](const float* p, double t) {
+      return p[2] > 0.1f ? State{150, t < 0.5 ? 1.0f : 0.2f} : State{60, 1.0f};
+    });
+    view = parse_view("[picture]\nwidth_px = 64\nheight_px = 48\nsamples = 8\n[browning]\nreference_time_s = 1\n[crust]\ngrain = 0\n",
+                      "ball.toml");
+  }
+  Image take(const std::filesystem::path& file, const std::filesystem::path& results = {}, int threads = 1) const {
+    Histories histories;
+    return take_picture(view, {file}, {results}, histories, threads);
+  }
+  std::string refusal(const std::filesystem::path& file, const std::filesystem::path& results = {}) const {
+    return message_of<InputError>([&] { take(file, results); });
+  }
+  static double brightness(const Image& image, int x, int y) {
+    const auto& p = image.at(x, y);
+    return p[0] + p[1] + p[2];
+  }
+  TemporaryFolder folder;
+  const Ball ball{0.1f, 0.02f, 0.1f};
+  View view;
+};
+
+TEST_F(Pictures, ShowBrownWhereItWasHotAndDry) {
+  view.camera.direction = {0, -1, 0};
+  view.light.direction = {0, -1, 0};
+  for (const ParticleShape shape : {ParticleShape::surface, ParticleShape::spheres}) {
+    view.objects[0].particles = shape;
+    const Image image = take(folder / "run/frames/0002.hdf");
+    EXPECT_LT(brightness(image, 32, 12), 0.75 * brightness(image, 32, 36));
+    const Image raw = take(folder / "run/frames/0000.hdf");
+    EXPECT_GT(brightness(raw, 32, 12), 0.9 * brightness(raw, 32, 36));
+  }
+}
+
+TEST_F(Pictures, AreTheSameForAnyNumberOfThreadsAndAsFiles) {
+  write_png(folder / "one.png", take(folder / "run/frames/0002.hdf", {}, 1));
+  write_png(folder / "two.png", take(folder / "run/frames/0002.hdf", {}, 2));
+  EXPECT_EQ(contents(folder / "one.png"), contents(folder / "two.png"));
+  const Image back = read_png(folder / "one.png");
+  EXPECT_EQ(back.width, 64);
+  EXPECT_EQ(back.pixels, take(folder / "run/frames/0002.hdf").pixels);
+}
+
+TEST_F(Pictures, OfSurfacesGetBrowningFromTheRun) {
+  write_mesh(folder / "surface.hdf", splat_surface(read_particles_of_frame(folder / "run/frames/0002.hdf")));
+  EXPECT_EQ(take(folder / "surface.hdf", folder / "run").pixels, take(folder / "run/frames/0002.hdf").pixels);
+  EXPECT_TRUE(has(refusal(folder / "surface.hdf"), "give --results"));
+}
+
+TEST_F(Pictures, OfACutBallShowCrumbInside) {
+  view.objects[0].cut_point_m = Vector3{0, 0, 0.1};
+  view.objects[0].cut_normal = Vector3{0, -1, 0};
+  view.camera.direction = {0, -1, 0.01};
+  view.objects[0].paint = Paint::field;
+  for (const ParticleShape shape : {ParticleShape::surface, ParticleShape::spheres}) {
+    view.objects[0].particles = shape;
+    EXPECT_NO_THROW(take(folder / "run/frames/0002.hdf"));
+  }
+  view.objects[0].cut_point_m = Vector3{0, 5, 0};
+  EXPECT_TRUE(has(refusal(folder / "run/frames/0002.hdf"), "the cut leaves nothing"));
+}
+
+TEST_F(Pictures, OfWrongFilesAreRefusedInOneLine) {
+  const std::filesystem::path frame = folder / "run/frames/0002.hdf";
+  EXPECT_TRUE(has(refusal(folder / "missing.hdf"), "missing.hdf"));
+  put(folder / "text.hdf", "no hdf");
+  EXPECT_TRUE(has(refusal(folder / "text.hdf"), "text.hdf"));
+  std::filesystem::copy(frame, folder / "alone.hdf");
+  EXPECT_TRUE(has(refusal(folder / "alone.hdf"), "give --results"));
+  EXPECT_TRUE(has(refusal(frame, folder / "nowhere"), "no run is here"));
+  // frames of another run
+  write_run(folder / "other", Ball(0.1f, 0.02f, 3), 3, [](const float*, double) { return State{20, 1}; });
+  write_mesh(folder / "surface.hdf", splat_surface(read_particles_of_frame(frame)));
+  EXPECT_TRUE(has(refusal(folder / "surface.hdf", folder / "other"), "it shows another run, or another time"));
+  view.objects[0].paint = Paint::field;
+  view.objects[0].field = "temperatur";
+  EXPECT_TRUE(has(refusal(frame), "has no field 'temperatur'; did you mean 'temperature'?"));
+  view.objects.emplace_back();
+  EXPECT_TRUE(has(refusal(frame), "found 2 [[object]] for 1 files"));
+}
+
+TEST(Images, AreWrittenWholeOrRefused) {
+  const Image image(8, 4, Colour(1, 0, 0));
+  EXPECT_THROW(write_png("/nonexistent/x.png", image), OutputError);
+  EXPECT_THROW(read_png("/nonexistent/x.png"), InputError);
+}
+
+TEST(Images, TextIsDrawnAroundItsMiddle) {
+  for (const Anchor anchor : {Anchor::left, Anchor::centre, Anchor::right}) {
+    Image image(200, 60, Colour::Ones());
+    draw_text(image, "HHH", 100, 30, 30, anchor, Colour::Zero());
+    double sum = 0, x_sum = 0, y_sum = 0;
+    for (int y = 0; y < 60; ++y)
+      for (int x = 0; x < 200; ++x) {
+        const double ink = 255.0 - image.at(x, y)[0];
+        sum += ink;
+        x_sum += ink * x;
+        y_sum += ink * y;
+      }
+    ASSERT_GT(sum, 255 * 50);
+    EXPECT_NEAR(y_sum / sum, 30, 1.5);
+    const double shift = x_sum / sum - 100;
+    if (anchor == Anchor::left) {
+      EXPECT_GT(shift, 10);
+    }
+    if (anchor == Anchor::right) {
+      EXPECT_LT(shift, -10);
+    }
+    if (anchor == Anchor::centre) {
+      EXPECT_NEAR(shift, 0, 2);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace bake

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// `bake-render` as a user calls it.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "tests/unit/analysis/runs.h"
+
+namespace bake {
+namespace {
+
+class RenderProgram : public testing::Test {
+ protected:
+  RenderProgram() {
+    write_run(folder / "run", Ball(0.1f, 0.03f), 3, [](const float*, double) { return State{150, 1}; });
+    put(folder / "view.toml", "[picture]\nwidth_px = 40\nheight_px = 30\nsamples = 1\n[[panel]]\nfield = \"temperature\"\n");
+  }
+  int call(const std::string& arguments, const std::string& before = "") {
+    const std::string command =
+        fmt::format("cd '{}' && {} '{}' {} >.out 2>.err", folder.path().string(), before, BAKE_RENDER_PROGRAM, arguments);
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  void expect_refused(const std::string& arguments, const std::string& reason) {
+    SCOPED_TRACE("bake-render " + arguments);
+    EXPECT_EQ(call(arguments), 2);
+    const std::string error = contents(folder / ".err");
+    EXPECT_EQ(std::count(error.begin(), error.end(), '\n'), 1) << error;
+    EXPECT_EQ(error.substr(0, 13), "bake-render: ");
+    EXPECT_NE(error.find(reason), std::string::npos) << error;
+  }
+  TemporaryFolder folder;
+};
+
+TEST_F(RenderProgram, MakesPicturesSlicesSurfacesAndMontages) {
+  EXPECT_EQ(call("picture view.toml run/frames/0002.hdf --out a.png --size 32x24 --threads 2"), 0) << contents(folder / ".err");
+  EXPECT_EQ(call("slice view.toml run/frames/0002.hdf --out b.png --size 400x300 --results run"), 0) << contents(folder / ".err");
+  EXPECT_EQ(call("surface run/frames/0002.hdf --out c.hdf"), 0) << contents(folder / ".err");
+  EXPECT_EQ(call("picture view.toml c.hdf --results run --out d.png --set camera.margin=0.2"), 0) << contents(folder / ".err");
+  EXPECT_EQ(call("montage a.png d.png --label one --label two --out e.png"), 0) << contents(folder / ".err");
+  for (const char* file : {"a.png", "b.png", "c.hdf", "d.png", "e.png"}) EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
+}
+
+TEST_F(RenderProgram, MakesAMovieOfNumberedPicturesAndCallsFfmpegIfItIsThere) {
+  EXPECT_EQ(call("movie view.toml run --out film --every 2", "env PATH=/nowhere"), 0) << contents(folder / ".err");
+  EXPECT_NE(contents(folder / ".out").find("2 pictures in film; for an mp4 apt-get install ffmpeg"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(folder / "film/0001.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "film/0002.png"));
+
+  std::filesystem::create_directory(folder / "bin");
+  put(folder / "bin/ffmpeg", "#!/bin/sh\necho \"$@\" >arguments\n");
+  std::filesystem::permissions(folder / "bin/ffmpeg", std::filesystem::perms::owner_all);
+  EXPECT_EQ(call("movie view.toml run --out film --rate 12", "env PATH=bin:$PATH"), 0) << contents(folder / ".err");
+  const std::string arguments = contents(folder / "arguments");
+  EXPECT_NE(arguments.find("-framerate 12 -i film/%04d.png"), std::string::npos) << arguments;
+  EXPECT_NE(contents(folder / ".out").find("film/movie.mp4"), std::string::npos);
+}
+
+TEST_F(RenderProgram, RefusesWrongUseInOneLine) {
+  expect_refused("", "no command given");
+  expect_refused("pictur view.toml", "unknown command 'pictur'; did you mean 'picture'?");
+  expect_refused("picture view.toml run/frames/0002.hdf", "--out is required");
+  expect_refused("picture view.toml run/frames/0002.hdf --out a.jpg", "allowed: a name that ends in .png");
+  expect_refused("picture view.toml run/frames/0002.hdf --out a.png --size 40", "--size: found '40'");
+  expect_refused("picture view.toml run/frames/0002.hdf --out a.png --size 40xyz", "--size: found '40xyz'");
+  expect_refused("picture view.toml run/frames/0002.hdf --out a.png --samples 0", "--samples");
+  expect_refused("picture view.toml run/frames/0002.hdf --out a.png --results a --results b", "--results: found 2 folders for 1 files");
+  expect_refused("picture view.toml run/frames/0002.hdf --out a.png --set camera.margn=1", "did you mean 'margin'");
+  expect_refused("picture other.toml run/frames/0002.hdf --out a.png", "other.toml: no such file");
+  expect_refused("picture view.toml run/frames/0007.hdf --out a.png", "0007.hdf");
+  expect_refused("surface run/frames/0002.hdf --out a.png", "allowed: a name that ends in .hdf");
+  expect_refused("surface run.json --out a.hdf", "run.json");
+  expect_refused("montage --out a.png", "required");
+  expect_refused("montage view.toml --out a.png", "view.toml: not a picture");
+  expect_refused("movie view.toml nowhere --out film", "nowhere: no such folder");
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
+}
+
+}  // namespace
+}  // namespace bake
