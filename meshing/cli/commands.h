@@ -8,6 +8,7 @@
 namespace bake::cli {
 
 void add_tets_command(CLI::App& app, Action& action);
+void add_skin_command(CLI::App& app, Action& action);
 void add_fracture_command(CLI::App& app, Action& action);
 
 }  // namespace bake::cli

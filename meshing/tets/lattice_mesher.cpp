@@ -118,28 +118,11 @@ bool is_inside(const Shape& solid, const Sites& sites, const Tet& tet, double ve
   return solid.distance(0.25 * (x[tet[0]] + x[tet[1]] + x[tet[2]] + x[tet[3]])) <= 0;
 }
 
-/// The kept tetrahedra and their vertices.
-TetMesh selection(const std::vector<Point>& points, const std::vector<Tet>& tets, const std::vector<char>& kept) {
-  std::vector<std::int32_t> number(points.size(), -1);
-  for (std::size_t t = 0; t < tets.size(); ++t)
-    for (int k = 0; kept[t] && k < 4; ++k) number[tets[t][k]] = 0;
-  TetMesh mesh;
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    if (number[v] < 0) continue;
-    number[v] = static_cast<std::int32_t>(mesh.points.size());
-    mesh.points.push_back(points[v]);
-  }
-  for (std::size_t t = 0; t < tets.size(); ++t)
-    if (kept[t]) mesh.tets.push_back({number[tets[t][0]], number[tets[t][1]], number[tets[t][2]], number[tets[t][3]]});
-  return mesh;
-}
-
 TetMesh connect(const Shape& solid, const Sites& sites, double vertex_volume) {
   const std::vector<Tet> tets = delaunay_tets(sites.points);
   std::vector<char> kept(tets.size());
   for (std::size_t t = 0; t < tets.size(); ++t) kept[t] = is_inside(solid, sites, tets[t], vertex_volume);
-  drop_until_manifold(sites.points, tets, tet_neighbours(tets, sites.points.size()), kept);
-  return selection(sites.points, tets, kept);
+  return manifold_part(sites.points, tets, std::move(kept));
 }
 
 double miss(std::size_t found, double wanted) { return std::abs(static_cast<double>(found) / wanted - 1); }

@@ -13,4 +13,7 @@ namespace bake {
 void drop_until_manifold(const std::vector<Point>& points, const std::vector<Tet>& tets, const std::vector<Tet>& neighbours,
                          std::vector<char>& kept);
 
+/// The largest part of a selection whose boundary is such a surface, and its vertices in the same order.
+TetMesh manifold_part(const std::vector<Point>& points, const std::vector<Tet>& tets, std::vector<char> kept);
+
 }  // namespace bake

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// bake-mesh skin <source>
+#include "meshing/skin/skin.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "meshing/cli/source.h"
+
+namespace bake::cli {
+namespace {
+
+struct SkinArguments {
+  SourceArguments source;
+  std::filesystem::path out;
+  double edge_length_m = 0;  ///< 0: the distance of the scene's particles
+};
+
+int skin(const SkinArguments& arguments) {
+  const Source source = find_source(arguments.source);
+  const double edge = arguments.edge_length_m > 0 ? arguments.edge_length_m : source.particle_spacing_m;
+  if (!(edge > 0)) throw InputError("--edge-length is required with a surface: it has no particles");
+  const TriangleMesh skin = make_skin(*source.solid, source.surface ? &*source.surface : nullptr, edge);
+  Mesh mesh;
+  for (const Point& x : skin.points) mesh.points.insert(mesh.points.end(), x.begin(), x.end());
+  for (const Triangle& t : skin.triangles) mesh.cells.insert(mesh.cells.end(), t.begin(), t.end());
+  write_mesh(arguments.out, mesh);
+  fmt::print("{}: {} vertices, {} triangles, {:.6g} m^2 around {:.6g} m^3\n", arguments.out.string(), skin.points.size(),
+             skin.triangles.size(), area(skin), enclosed_volume(skin));
+  return k_success;
+}
+
+}  // namespace
+
+void add_skin_command(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<SkinArguments>();
+  CLI::App& command = *app.add_subcommand("skin", "Cover a body with even triangles");
+  arguments->source.add_to(command);
+  command.add_option("--out", arguments->out, "file of the mesh, .hdf")->required()->type_name("FILE");
+  command.add_option("--edge-length", arguments->edge_length_m, "length of the triangles' edges [the distance of the scene's particles]")
+      ->type_name("METRES")
+      ->check(CLI::Range(1e-9, 1e6));
+  command.callback([arguments, &action] { action = [arguments] { return skin(*arguments); }; });
+}
+
+}  // namespace bake::cli

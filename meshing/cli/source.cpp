@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshing/cli/source.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "solver/cli/scene_files.h"
+#include "solver/scene/reader.h"
+
+namespace bake::cli {
+
+void SourceArguments::add_to(CLI::App& command) {
+  command.add_option("source", name, "a scene, by name or as path of a .toml file, or a closed surface: .stl, .obj, .ply, .off")
+      ->required();
+  add_quality_option(command, quality);
+  add_set_option(command, overrides);
+  command.add_option("--body", body, "which body of the scene [0]")->type_name("N")->check(CLI::Range(0, 1'000'000));
+}
+
+Source find_source(const SourceArguments& arguments) {
+  if (is_triangle_file(arguments.name)) {
+    TriangleMesh surface = read_triangle_mesh(arguments.name);
+    return {make_triangle_solid(surface), std::move(surface), 0};
+  }
+  const std::filesystem::path file(arguments.name);
+  if (file.has_extension() && file.extension() != ".toml")
+    throw InputError(
+        fmt::format("{}: found {}, allowed: a scene (.toml), or .stl, .obj, .ply, .off", arguments.name, file.extension().string()));
+  const Scene scene = read_scene(find_scene(arguments.name), {arguments.quality, arguments.overrides});
+  const int bodies = static_cast<int>(scene.bodies.size());
+  if (arguments.body >= bodies) throw InputError(fmt::format("--body: found {}, the scene has {}, counted from 0", arguments.body, bodies));
+  const Body& body = scene.bodies[arguments.body];
+  if (!body.shape)
+    throw InputError(fmt::format("{}: body.{}: found particles_file, allowed: a body with a shape", scene.file.string(), arguments.body));
+  return {body.shape, std::nullopt, scene.dx() / std::cbrt(body.particles_per_cell)};
+}
+
+}  // namespace bake::cli

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "meshing/tets/tet_mesh.h"
+
+namespace bake {
+
+/// A closed surface of triangles.
+struct TriangleMesh {
+  std::vector<Point> points;        ///< [m]
+  std::vector<Triangle> triangles;  ///< counter-clockwise from outside
+};
+
+/// Edges whose triangles' normals part by more than this are sharp [degree].
+inline constexpr double k_sharp_deg = 40;
+
+bool has_sharp_edges(const TriangleMesh& mesh);
+
+/// Volume enclosed and area.
+double enclosed_volume(const TriangleMesh& mesh);
+double area(const TriangleMesh& mesh);
+
+/// Is this the name of a file that `read_triangle_mesh` can read?
+bool is_triangle_file(const std::filesystem::path& file);
+
+/// Reads STL, OBJ, PLY or OFF; faces with more corners are split into triangles. Throws InputError, one line with what is wrong and where:
+/// cannot be read, empty, a corner that is no vertex or not finite, a triangle without area, open, not manifold (at an edge, at a
+/// vertex), neighbours that turn different ways, inside out, self-intersecting.
+TriangleMesh read_triangle_mesh(const std::filesystem::path& file);
+
+/// The solid inside the surface, as a signed distance.
+ShapePtr make_triangle_solid(const TriangleMesh& mesh);
+
+}  // namespace bake
