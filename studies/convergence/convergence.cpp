@@ -41,8 +41,12 @@ json stored(const std::filesystem::path& file, const Case& c) {
   json rows = json::array();
   std::ifstream in(file);
   if (!in) return rows;
-  for (const json& row : json::parse(in).at("orders"))
-    if (row.at("case") == c.name) rows.push_back(row);
+  const json table = json::parse(in);
+  for (json row : table.at("orders"))
+    if (row.at("case") == c.name) {
+      if (!row.contains("measured_by")) row["measured_by"] = table.at("provenance");
+      rows.push_back(std::move(row));
+    }
   return rows;
 }
 
@@ -102,7 +106,8 @@ bool run_convergence(const StudyOptions& options) {
       fmt::print(stderr, "{}: {:.1f} s\n", c.name, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   std::filesystem::create_directories(options.out);
-  write_text_atomically(file, json{{"study", "convergence"}, {"orders", rows}}.dump(2) + "\n");
+  write_text_atomically(
+      file, json{{"study", "convergence"}, {"quick", options.quick}, {"provenance", provenance()}, {"orders", rows}}.dump(2) + "\n");
   write_text_atomically(options.out / "orders.md", as_markdown(rows));
   fmt::print("{}; written to {}\n", held ? "every band holds" : "NOT every band holds", options.out.string());
   return held;
