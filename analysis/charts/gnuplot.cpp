@@ -49,11 +49,11 @@ constexpr const char* key_place(Legend legend) {
     case Legend::top_left:
       return "inside left top Left reverse";
     case Legend::top_right:
-      return "inside right top Right noreverse";
+      return "inside right top Left reverse";
     case Legend::bottom_left:
       return "inside left bottom Left reverse";
     case Legend::bottom_right:
-      return "inside right bottom Right noreverse";
+      return "inside right bottom Left reverse";
     case Legend::right:
       return "outside right top Left reverse";
     case Legend::below:
@@ -216,7 +216,7 @@ class Script {
     if (panel.legend == Legend::none)
       add("unset key\n");
     else
-      add("set key {} samplen 2 spacing 1.15 width 0 noautotitle\n", key_place(panel.legend));
+      add("set key {} samplen 2 spacing 1.15 noautotitle\n", key_place(panel.legend));
     add_marks(panel);
     std::vector<std::string> curves;
     if (panel.heat_map) curves.push_back(heat_map(*panel.heat_map, p));

@@ -45,18 +45,19 @@ class Dough {
 Way cooled_from(double peak, const Dough& dough) {
   constexpr double k_cold = 4, k_half_s = 1;
   Curve held;
-  held.points = {{0, k_cold}, {k_half_s, peak}, {2 * k_half_s, k_cold}};
+  held.points = {{0, k_cold}, {k_half_s, peak}, {2 * k_half_s, k_cold}, {2.1 * k_half_s, k_cold}};
   Scene scene = bread_scene();
   scene.effects = {"heat"};
   hold_block(scene, held);
   const auto simulation = Simulation::begin(scene);
   Way way;
-  constexpr int k_samples = 40;
-  for (int i = k_samples / 2; i <= k_samples; ++i) {
-    const double time = 2 * k_half_s * i / k_samples;
-    simulation->advance(time, time + 2 * k_half_s / k_samples);
+  constexpr int k_samples = 42;
+  for (int i = 1; i <= k_samples; ++i) {
+    const double time = 2.1 * k_half_s * i / k_samples;
+    simulation->advance(time, time + 2.1 * k_half_s / k_samples);
     const Snapshot now = simulation->snapshot();
-    dough.add(way, now["temperature"][0], now["peak_temperature"][0]);
+    const double theta = now["temperature"][0], theta_peak = now["peak_temperature"][0];
+    if (theta < theta_peak) dough.add(way, theta, theta_peak);
   }
   return way;
 }
@@ -95,6 +96,7 @@ double spread(const std::vector<double>& values) {
 
 charts::Panel panel(const char* title, const char* label, const char* unit, const Plasticity::Material& material) {
   charts::Panel panel{title, {"temperature $θ$", "°C"}, {label, unit}};
+  panel.x.range = {{0, 105}};
   for (int i = 0; i < 4; ++i)
     panel.rules.push_back({true, material.temperatures_C[static_cast<std::size_t>(i)], fmt::format("$θ_{}$", i + 1)});
   return panel;
@@ -102,7 +104,7 @@ charts::Panel panel(const char* title, const char* label, const char* unit, cons
 
 /// The way up as a line, the way down as a dashed one with an arrow.
 void add_ways(charts::Panel& panel, const Way& up, const Way& down, std::vector<double> Way::*value, double until) {
-  charts::Series heated{"heated", charts::Kind::line}, cooled{"cooled again", charts::Kind::line}, arrow{"", charts::Kind::arrows};
+  charts::Series heated{"heated", charts::Kind::line}, cooled{"cooled again", charts::Kind::line}, arrow{"direction", charts::Kind::arrows};
   for (std::size_t i = 0; i < up.theta.size(); ++i) {
     if (up.theta[i] > until) break;
     heated.x.push_back(up.theta[i]);
