@@ -3,6 +3,7 @@
 #include "meshing/tets/feature_mesher.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Mesh_3/Worksharing_data_structures.h>  // exude_mesh_3.h forgets it
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
