@@ -23,6 +23,9 @@ for line in subprocess.run([BAKE, "list", "runs"], check=True, text=True, stdout
 localrules: all
 
 
+wildcard_constraints: quality="draft|standard|paper", run="[^.]+"
+
+
 rule all:
     input: expand("results/made/{figure}-{quality}", figure=RUNS, quality=QUALITY)
 

@@ -49,9 +49,12 @@ double temperature_of(const Results& run, int frame, std::int64_t particle) {
 double distance_gain(const Results& run, const MetricPlace& at) {
   const FrameReader start = run.frame(0);
   const auto a = particle_at(start, *at.from_m), b = particle_at(start, *at.to_m);
-  const int end = run.frame_at(at.time_s);
-  const double before = distance(place_of(run, 0, a), place_of(run, 0, b));
-  return before > 0 ? distance(place_of(run, end, a), place_of(run, end, b)) / before : std::nan("");
+  const auto apart = [&](int frame) {
+    const Vector3 place = place_of(run, frame, a);
+    return distance(place, place_of(run, frame, b));
+  };
+  const double before = apart(0);
+  return before > 0 ? apart(run.frame_at(at.time_s)) / before : std::nan("");
 }
 
 double temperature_at(const Results& run, const MetricPlace& at) {

@@ -143,7 +143,7 @@ TEST_F(AFigure, ThatIsNotThereIsRefused) {
   expect_refused("table 1", "table 1 (costs): not there yet");
   expect_refused("figure 1 --only-run sotf", "--only-run: unknown run 'sotf'; did you mean 'soft'?");
   figure("", "metric = \"volume_gain\"", "metric = \"volume_gian\"");
-  expect_refused("figure 1", "figure.toml:10: claim.0.metric: unknown metric 'volume_gian'; did you mean 'volume_gain'?");
+  expect_refused("figure 1", "figure.toml:11: claim.0.metric: unknown metric 'volume_gian'; did you mean 'volume_gain'?");
 }
 
 TEST_F(AFigure, NeedsTheOtherProgramsForMeshesAndPictures) {
