@@ -183,11 +183,19 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
     save_description(scene, results, state, last, wall);
     return summary_text(scene, results, first, last, wall, simulation->counters().particle_steps - old_steps);
   };
+  const auto advance = [&] {
+    try {
+      return simulation->advance(frame_time(scene, frame + 1), frame_time(scene, frame + 2), [&] {
+        progress.update(stand(frame));
+        return !StopSignals::asked();
+      });
+    } catch (const RunError&) {
+      save_description(scene, results, "failed", last, seconds() - began);
+      throw;
+    }
+  };
   while (frame < frames) {
-    const bool reached = simulation->advance(frame_time(scene, frame + 1), frame_time(scene, frame + 2), [&] {
-      progress.update(stand(frame));
-      return !StopSignals::asked();
-    });
+    const bool reached = advance();
     if (reached) {
       ++frame;
       last = simulation->ledger_row();

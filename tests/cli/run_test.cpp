@@ -50,6 +50,7 @@ TEST(Run, ThatCannotGoOnSaysWhyAndLeavesACheckpointOfItsLastFrame) {
   const Outcome first = place.bake(falls_too_fast);
   expect_one_line(first, 3, "time.smallest_step_s");
   EXPECT_FALSE(half_written_files(place.folder() / "a"));
+  EXPECT_NE(contents(place.folder() / "a/run.json").find(R"("state": "failed")"), std::string::npos);
   // it can be gone on with, and ends in the same step for the same reason
   const Outcome again = place.bake(falls_too_fast + " --resume");
   expect_one_line(again, 3, "time.smallest_step_s");
