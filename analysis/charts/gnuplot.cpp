@@ -123,10 +123,12 @@ class Script {
     add("set terminal pdfcairo enhanced color size {}in,{}in font '{},{}' fontscale 0.75 linewidth 1.5 dashlength 0.6\n", width, height,
         k_font, k_font_pt);
     add("set output 'chart.pdf'\n");
+    key_spacing_ = 1.15;
     add_panels(rows, columns);
     add("set terminal svg enhanced size {:.0f},{:.0f} font '{},{}' background '#ffffff' linewidth {} dashlength 0.6\n", width * k_px_per_in,
         height * k_px_per_in, k_font, k_font_pt * k_px_per_pt, k_px_per_pt * 0.75);
     add("set output 'chart.svg'\n");
+    key_spacing_ = 0.8;  // this terminal takes letters for taller than they are
     add_panels(rows, columns);
     return std::move(text_);
   }
@@ -216,7 +218,7 @@ class Script {
     if (panel.legend == Legend::none)
       add("unset key\n");
     else
-      add("set key {} samplen 2 spacing 1.15 noautotitle\n", key_place(panel.legend));
+      add("set key {} samplen 2 spacing {} noautotitle\n", key_place(panel.legend), key_spacing_);
     add_marks(panel);
     std::vector<std::string> curves;
     if (panel.heat_map) curves.push_back(heat_map(*panel.heat_map, p));
@@ -264,6 +266,7 @@ class Script {
 
   const Chart& chart_;
   std::string text_;
+  double key_spacing_ = 1;  ///< of the terminal that is being written
 };
 
 }  // namespace

@@ -101,6 +101,7 @@ Computed fig12_co2_rate() {
   const Scene bread = bread_scene();
   const double theta_r = of<Leavening>(bread.materials[0]).peak_temperature_C;
   charts::Panel peaks{"(a)", {"temperature $θ$", "°C"}, {"d$n^g$/d$t$", "mol m$^{−3}$ s$^{−1}$"}};
+  peaks.y.range = {{0, 1.9 * Rate(bread)(theta_r)}};  // room for the legend
   charts::Panel widths = peaks, gas{"(c)", {"temperature $θ$", "°C"}, {"CO$_2$ made $n^g$", "mol m$^{−3}$"}};
   widths.title = "(b)";
   Computed computed;
@@ -125,6 +126,9 @@ Computed fig12_co2_rate() {
     found.name = "solver, " + name;
     found.in_legend = false;
     exact.colour = found.colour = charts::palette(colour++);
+    const bool steep = width > 30;  // no room above it: named on its left
+    gas.marks.push_back(
+        {steep ? 62. : 78., integral(scene, steep ? 68 : 78), name, steep ? charts::Side::left : charts::Side::above, false, exact.colour});
     gas.series.push_back(exact);
     gas.series.push_back(found);
     computed.numbers.push_back({fmt::format("width_at_half_rate_{}", width), "K",
@@ -136,7 +140,6 @@ Computed fig12_co2_rate() {
                                      integral(scene, k_hot));
   }
   peaks.legend = widths.legend = charts::Legend::top_right;
-  gas.legend = charts::Legend::top_left;
   computed.numbers.push_back({"peak_offset", "K", "largest distance of the fastest reaction from theta_r, for three of these", off_peak});
   computed.numbers.push_back({"peak_rate", "mol/(m^3 s)", "rate at the peak of bread's dough", Rate(bread)(theta_r)});
   computed.numbers.push_back({"produced_gas_error", "1",

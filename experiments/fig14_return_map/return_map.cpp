@@ -198,7 +198,9 @@ Computed fig14_return_map() {
   chart.panels = {panel("(a) $n^p$ = 0, $η$ = 0", inviscid, 0), panel("(b) $n^p$ = 0, $η$ = 3$μ$Δ$t$", viscous, 0),
                   panel("(c) $n^p$ = 0.3, $η$ = 0", porous, k_porosity),
                   panel("(d) $n^p$ = 0.3, $η$ = 3$μ$Δ$t$", porous_viscous, k_porosity)};
-  chart.panels[1].legend = charts::Legend::bottom_right;
+  chart.panels[0].marks = {{0.5, 2, "trial", charts::Side::right, false, charts::palette(0)},
+                           {0.5, 1, "image", charts::Side::below, false, charts::palette(1)},
+                           {-1.2, 1, "yield surface", charts::Side::below, false, "#808080"}};
   chart.panel_height_in = 2.0;
   computed.charts = {chart};
   return computed;
