@@ -74,13 +74,12 @@ Html computed_tables(const json& tables) {
   return join(parts);
 }
 
+Html the_paper(const std::string& shows) { return element("p", join({element("strong", text("The paper: ")), text(shows)})); }
+
 Html made_parts(const json& made, const std::filesystem::path& folder) {
-  std::vector<Html> parts{element("p", join({element("strong", text("The paper: ")), text(made.at("shows").get<std::string>())})),
-                          figures_of(made.at("pictures"), folder),
-                          figures_of(made.at("charts"), folder),
-                          computed_tables(made.at("tables")),
-                          element("h3", text("Claims")),
-                          claims_table(made.at("claims"))};
+  std::vector<Html> parts{the_paper(made.at("shows")),           figures_of(made.at("pictures"), folder),
+                          figures_of(made.at("charts"), folder), computed_tables(made.at("tables")),
+                          element("h3", text("Claims")),         claims_table(made.at("claims"))};
   if (!made.at("runs").empty()) {
     parts.push_back(element("h3", text(fmt::format("Runs, quality {}", made.at("quality").get<std::string>()))));
     parts.push_back(runs_table(made.at("runs")));
@@ -88,13 +87,9 @@ Html made_parts(const json& made, const std::filesystem::path& folder) {
   return join(parts);
 }
 
-Html missing_parts(const ReportedItem& reported) {
-  std::vector<Html> claims;
-  for (const std::string& claim : reported.item->claims) claims.push_back(element("li", text(claim)));
-  const Html shows = element("p", join({element("strong", text("The paper: ")), text(reported.item->shows)}));
-  if (reported.verdict() == ItemVerdict::not_run)
-    return join({shows, element("p", join({text("Made by "), element("code", text("./bake figure " + reported.item->name))}))});
-  return join({shows, element("p", text("To be measured:")), element("ul", join(claims))});
+Html not_run_parts(const Item& item) {
+  return join(
+      {the_paper(item.shows), element("p", join({text("Made by "), element("code", text("./bake figure " + item.name)), text(".")}))});
 }
 
 std::string capital(std::string words) {
@@ -124,11 +119,28 @@ std::string anchor(const Item& item) {
   return name;
 }
 
+std::string heading_of(const ReportedItem& reported) {
+  std::string title = reported.made ? reported.made->at("title").get<std::string>() : reported.item->name;
+  if (!reported.made) std::replace(title.begin(), title.end(), '_', ' ');
+  return capital(reported.item->number) + ": " + title;
+}
+
 Html item_section(const ReportedItem& reported) {
-  const std::string title = reported.made ? reported.made->at("title").get<std::string>() : reported.item->name;
-  const Html heading = element("h2", join({text(capital(reported.item->number) + ": " + title), badge(reported.verdict())}));
-  return element("section", join({heading, reported.made ? made_parts(*reported.made, reported.folder) : missing_parts(reported)}),
+  const Html heading = element("h2", join({text(heading_of(reported)), badge(reported.verdict())}));
+  return element("section", join({heading, reported.made ? made_parts(*reported.made, reported.folder) : not_run_parts(*reported.item)}),
                  fmt::format("id=\"{}\"", anchor(*reported.item)));
+}
+
+Html missing_section(const std::vector<ReportedItem>& missing) {
+  if (missing.empty()) return {};
+  std::vector<std::vector<Html>> rows;
+  for (const ReportedItem& reported : missing) {
+    std::vector<Html> claims;
+    for (const std::string& claim : reported.item->claims) claims.push_back(element("li", text(claim)));
+    rows.push_back({element("strong", text(heading_of(reported)), fmt::format("id=\"{}\"", anchor(*reported.item))),
+                    text(reported.item->shows), element("ul", join(claims))});
+  }
+  return element("section", join({element("h2", text("Not there yet")), table({"item", "the paper", "what is to be measured"}, rows)}));
 }
 
 }  // namespace bake::report

@@ -26,8 +26,10 @@ Html badge(ItemVerdict verdict);
 /// The item's place on the page: "figure-15".
 std::string anchor(const Item& item);
 
-/// Pictures, charts, claims and runs of an item, or what is missing of it.
+/// Pictures, charts, claims and runs of an item that is done, or how it is made.
 Html item_section(const ReportedItem& reported);
+/// The items that are not there yet, with what must be measured; nothing if there are none.
+Html missing_section(const std::vector<ReportedItem>& missing);
 
 /// The tables of studies that stand in <root>/paper, those that are there.
 Html orders_section(const std::filesystem::path& root);

@@ -89,16 +89,21 @@ Html section_of(const ReportedItem& item) {
 
 Report make_report(const Items& items, Quality quality) {
   Report report;
-  std::vector<ReportedItem> all;
+  std::vector<ReportedItem> all, missing;
   std::vector<Html> sections;
   for (const Item& item : items.items) {
     all.push_back(reported(item, quality));
-    sections.push_back(section_of(all.back()));
-    ++count_of(report, all.back().verdict());
+    const ItemVerdict verdict = all.back().verdict();
+    ++count_of(report, verdict);
+    if (verdict == ItemVerdict::not_there_yet)
+      missing.push_back(all.back());
+    else
+      sections.push_back(section_of(all.back()));
   }
   std::vector<Html> parts{heading(quality), overview(all, report)};
   parts.insert(parts.end(), sections.begin(), sections.end());
   for (const auto& section : {orders_section, departures_section, stability_section}) parts.push_back(section(items.root));
+  parts.push_back(missing_section(missing));
   report.page = page(parts).code;
   return report;
 }

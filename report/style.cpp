@@ -28,13 +28,15 @@ section { background: var(--card); border: 1px solid var(--line); border-radius:
 .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(26rem, 100%), 1fr)); gap: 1rem; margin: 1rem 0; }
 figure { margin: 0; }
 img { display: block; width: 100%; height: auto; border-radius: .35rem; }
-img.chart { background: #ffffff; padding: .5rem; max-width: 44rem; }
+img.chart { max-width: 44rem; }
 figcaption { margin-top: .4rem; }
 .wide { overflow-x: auto; margin: .75rem 0; }
 table { border-collapse: collapse; width: 100%; font-size: .9rem; font-variant-numeric: tabular-nums; }
 caption { text-align: left; padding-bottom: .35rem; }
 th, td { text-align: left; vertical-align: top; padding: .4rem .75rem .4rem 0; border-bottom: 1px solid var(--line); }
+td { min-width: 4.5rem; }
 th { color: var(--soft); font-weight: 600; white-space: nowrap; }
+td ul { margin: 0; padding-left: 1.1rem; }
 code { font: .92em ui-monospace, "DejaVu Sans Mono", "Liberation Mono", monospace; overflow-wrap: anywhere; }
 summary { cursor: pointer; font-weight: 600; }
 details { margin: .75rem 0; }
