@@ -95,7 +95,7 @@ struct Chart {
 
 /// The house's palette for things that differ in kind: six colours that the colour-blind tell apart (Okabe and Ito), on light and dark.
 std::string palette(std::size_t index);
-/// Colours for things that differ in degree: from dark violet (0) to yellow-green (1) of viridis, ends cut so that all show.
+/// Colours for things that differ in degree: from blue (0) to yellow-green (1) of viridis, ends cut so that all show.
 std::string ramp(double share);
 
 /// Every number that is drawn: a group of columns per series, heat map, marks and rules, with labels and units in the headings.

@@ -277,7 +277,7 @@ std::string palette(std::size_t index) {
 }
 
 std::string ramp(double share) {
-  constexpr double k_first = 0.7, k_last = 7.2;  // both ends would vanish, on a dark page or on a light one
+  constexpr double k_first = 1.7, k_last = 7.2;  // both ends would vanish, on a dark page or on a light one
   const double place = k_first + std::clamp(share, 0., 1.) * (k_last - k_first);
   const auto stop = static_cast<std::size_t>(place);
   const double into = place - static_cast<double>(stop);
