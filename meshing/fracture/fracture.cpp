@@ -38,7 +38,8 @@ Topology read_topology(const std::filesystem::path& file) {
 
 std::vector<int> wanted_frames(const FractureOptions& options, const RunFrames& run) {
   std::vector<int> frames = options.frames;
-  for (int f = 0; frames.empty() && options.every > 0 && f < run.count(); f += options.every) frames.push_back(f);
+  if (frames.empty() && options.every > 0)
+    for (int f = 0; f < run.count(); f += options.every) frames.push_back(f);
   if (frames.empty()) frames.push_back(run.count() - 1);
   std::sort(frames.begin(), frames.end());
   frames.erase(std::unique(frames.begin(), frames.end()), frames.end());

@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 #include "solver/scene/input_error.h"
 

@@ -27,6 +27,8 @@ class Workplace {
   const std::filesystem::path& folder() const { return folder_.path(); }
   /// From now on a copy of the program is called that stands in the folder bin/: what is put beside it is found beside it.
   void move_program_here();
+  /// From now on this program is called.
+  void use_program(const std::filesystem::path& program) { program_ = program; }
 
  private:
   std::filesystem::path program_ = BAKE_PROGRAM;
