@@ -20,9 +20,16 @@
 namespace bake {
 namespace {
 
+constexpr const char* k_letters = "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf";  ///< of fonts-liberation
+
 vtkNew<vtkImageData> rendered(const std::string& text, int size) {
   vtkNew<vtkTextProperty> font;
-  font->SetFontFamilyToArial();
+  if (std::filesystem::exists(k_letters)) {
+    font->SetFontFamily(VTK_FONT_FILE);
+    font->SetFontFile(k_letters);
+  } else {
+    font->SetFontFamilyToArial();  // VTK's own, which has fewer letters
+  }
   font->SetFontSize(std::max(4, static_cast<int>(std::lround(0.72 * size))));
   font->SetColor(1, 1, 1);
   vtkNew<vtkImageData> drawn;
@@ -38,14 +45,24 @@ double coverage(vtkImageData* drawn, int column, int row) {
   return static_cast<const unsigned char*>(drawn->GetScalarPointer(column, row, 0))[3] / 255.0;
 }
 
+/// Columns and rows of a drawn text; they need not start at 0.
+struct Box {
+  int left, right, bottom, top;  ///< the last two included, too
+  explicit Box(vtkImageData* drawn) {
+    const int* extent = drawn->GetExtent();
+    left = extent[0], right = extent[1], bottom = extent[2], top = extent[3];
+  }
+};
+
 /// The row amid those where a letter has ink.
 int middle_row(vtkImageData* letter) {
-  int first = -1, last = 0;
-  for (int row = 0; row < letter->GetDimensions()[1]; ++row)
-    for (int column = 0; column < letter->GetDimensions()[0]; ++column)
+  const Box box(letter);
+  int first = box.top, last = box.bottom;
+  for (int row = box.bottom; row <= box.top; ++row)
+    for (int column = box.left; column <= box.right; ++column)
       if (coverage(letter, column, row) > 0.5) {
-        if (first < 0) first = row;
-        last = row;
+        first = std::min(first, row);
+        last = std::max(last, row);
       }
   return (first + last) / 2;
 }
@@ -91,13 +108,14 @@ Image scaled(const Image& image, int width, int height) {
 void draw_text(Image& image, const std::string& text, int x, int y, int size, Anchor anchor, const Colour& srgb) {
   if (text.empty()) return;
   const vtkNew<vtkImageData> drawn = rendered(text, size), letter = rendered("H", size);
-  const int wide = drawn->GetDimensions()[0], high = drawn->GetDimensions()[1];
-  const int left = anchor == Anchor::left ? x : anchor == Anchor::right ? x - wide : x - wide / 2;
+  const Box box(drawn);
+  const int middle = middle_row(letter), wide = box.right - box.left + 1;
+  const int start = anchor == Anchor::left ? x : anchor == Anchor::right ? x - wide : x - wide / 2;
   const auto colour = pixel(srgb);
-  for (int row = 0; row < high; ++row) {  // row 0 is the lowest; every text of one size has its baseline in the same row
-    const int to_y = y + middle_row(letter) - row;
-    for (int column = 0; column < wide; ++column) {
-      const int to_x = left + column;
+  for (int row = box.bottom; row <= box.top; ++row) {  // from below; every text of one size has its baseline in the same row
+    const int to_y = y + middle - row;
+    for (int column = box.left; column <= box.right; ++column) {
+      const int to_x = start + column - box.left;
       if (to_x < 0 || to_y < 0 || to_x >= image.width || to_y >= image.height) continue;
       const double cover = coverage(drawn, column, row);
       auto& under = image.at(to_x, to_y);

@@ -145,24 +145,26 @@ struct Hit {
   Vec3f normal;       ///< smooth
   Colour albedo;
   Gloss gloss;
+  bool seen = true;  ///< by the camera; grain is not worth its time where light only passes on
 };
 
-/// Height of the grain at a point, in units of its size: bumps up and down, or pits in a plane.
-float relief(const Grain& grain, const Vec3f& q) {
-  const float height = fractal_noise(q, 3);
-  return grain.pores ? std::min(0.0f, height + 0.05f) : height;
+/// Height of the grain at a point in units of its size, and its slope: bumps up and down, or pits in a plane.
+Noise relief(const Grain& grain, const Vec3f& q) {
+  Noise height = fractal_noise(q, 3);
+  if (!grain.pores) return height;
+  constexpr float k_plane = -0.05f;  ///< pits are what lies below
+  if (height.value >= k_plane) return {0, Vec3f::Zero()};
+  height.value -= k_plane;
+  return height;
 }
 
 /// Normal tilted and albedo varied by the object's grain at texture coordinates `p`.
 void roughen(Hit& hit, const Grain& grain, const Vec3f& p) {
   const Vec3f q = p / grain.size;
-  const float here = relief(grain, q);
-  if (grain.mottle > 0) hit.albedo *= std::clamp(1 + grain.mottle * (grain.pores ? 2 * here : fractal_noise(q * 0.37f, 3)), 0.0f, 1.2f);
-  if (grain.bump <= 0) return;
-  constexpr float k_step = 0.05f;
-  const auto slope = [&](const Vec3f& step) { return (relief(grain, q + k_step * step) - here) / k_step; };
-  const Vec3f gradient(slope(Vec3f::UnitX()), slope(Vec3f::UnitY()), slope(Vec3f::UnitZ()));
-  hit.normal = (hit.normal - grain.bump * (gradient - gradient.dot(hit.normal) * hit.normal)).normalized();
+  const auto [height, slope] = relief(grain, q);
+  const float tone = grain.pores ? 2 * height : fractal_noise(q * 0.37f, 3).value;
+  hit.albedo *= std::clamp(1 + grain.mottle * tone, 0.0f, 1.2f);
+  hit.normal = (hit.normal - grain.bump * (slope - slope.dot(hit.normal) * hit.normal)).normalized();
 }
 
 template <class T>
@@ -232,7 +234,7 @@ void PathTracer::Scene::fill_hit(const TriangleObject& object, const RTCHit& fou
     const auto& n = object.normals[found.primID];
     hit.normal = across(n[0], n[1], n[2], found.u, found.v).normalized();
   }
-  if (object.grain.size <= 0) return;
+  if (object.grain.size <= 0 || !hit.seen) return;
   const auto& where = object.texture.empty() ? object.vertices : object.texture;
   roughen(hit, object.grain, across(where[a], where[b], where[c], found.u, found.v));
 }
@@ -296,6 +298,7 @@ Colour PathTracer::Scene::path(Vec3f from, Vec3f towards, Sample2 first_lamp, Sa
   };
   for (int bounce = 0;; ++bounce) {
     Hit hit;
+    hit.seen = bounce == 0;
     if (!intersect(from, towards, hit)) return light + share.cwiseProduct(bounce == 0 ? sky->backdrop : sky_light(towards));
     if (bounce == most_bounces) return light;
     const Reflection reflection(hit.albedo, hit.gloss);
@@ -305,7 +308,7 @@ Colour PathTracer::Scene::path(Vec3f from, Vec3f towards, Sample2 first_lamp, Sa
     const auto [out, weight] = reflection.bounce(hit.normal, in, s, random.uniform());
     share = share.cwiseProduct(weight);
     if (hit.face_normal.dot(out) <= 0 || share.maxCoeff() <= 0) return light;
-    if (bounce >= 2) {  // Russian roulette: end dim paths, count the others for them
+    if (bounce >= 1) {  // Russian roulette: end dim paths, count the others for them
       const float goes_on = std::min(0.95f, share.maxCoeff());
       if (random.uniform() >= goes_on) return light;
       share /= goes_on;

@@ -133,8 +133,22 @@ Camera fitted_camera(const std::vector<Vec3f>& points, const Vec3f& direction, d
     highest = std::max(highest, top * z + y);
   }
   const double d = std::max((left_most + right_most) / (2 * tx), (lowest + highest) / (bottom + top));
-  const double cx = (right_most - left_most) / 2;
-  const double cy = ((highest - top * d) + (bottom * d - lowest)) / 2;
+  // Along the axis with room to spare: where the picture leaves as much free on either side. Seen from further up, all moves down.
+  const auto centred = [&](double low, double high, const Vec3f& axis, double middle) {
+    for (int i = 0; i < 40; ++i) {
+      const double c = (low + high) / 2;
+      double first = k_infinity, last = -k_infinity;
+      for (const Vec3f& p : points) {
+        const double place = (axis.dot(p) - c) / (d - back.dot(p));
+        first = std::min(first, place);
+        last = std::max(last, place);
+      }
+      ((first + last) / 2 > middle ? low : high) = c;
+    }
+    return (low + high) / 2;
+  };
+  const double cx = centred(right_most - tx * d, tx * d - left_most, right, 0);
+  const double cy = centred(highest - top * d, bottom * d - lowest, up, (top - bottom) / 2);
   camera.eye = (cx * right.cast<double>() + cy * up.cast<double>() + d * back.cast<double>()).cast<float>();
   camera.target = camera.eye - back;
   return camera;

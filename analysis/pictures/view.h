@@ -61,7 +61,7 @@ struct CameraSettings {
 
 /// [light] - a square lamp
 struct LightSettings {
-  Vector3 direction = {-0.75, -0.35, 1};
+  Vector3 direction = {-0.35, -0.7, 1};
   double distance = 5;
   double size = 1.3;
   Vector3 colour = {1, 0.95, 0.88};
@@ -80,8 +80,8 @@ struct LightSettings {
 
 /// [sky] - light from all around
 struct SkySettings {
-  Vector3 colour = {0.90, 0.95, 1};
-  double strength = 0.55;
+  Vector3 colour = {1, 0.97, 0.93};
+  double strength = 0.7;
   Vector3 backdrop = {1, 1, 1};
   static constexpr auto parameters() {
     return std::tuple{
@@ -128,9 +128,9 @@ struct CrustSettings {
   double grain = 0.022;
   double bump = 0.05;
   double mottle = 0.12;
-  double crumb_grain = 0.014;
+  double crumb_grain = 0.006;
   double crumb_bump = 0.6;
-  double crumb_mottle = 0.3;
+  double crumb_mottle = 0.12;
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"skin", &CrustSettings::skin, "", any_number, "colours of the skin by degree of browning, rising"},

@@ -90,7 +90,7 @@ std::string label_of(const PanelSettings& panel, const MeshField& field) {
   std::string name = panel.field;
   std::replace(name.begin(), name.end(), '_', ' ');
   if (field.unit.empty() || field.unit == "1") return name;
-  return fmt::format("{} [{}]", name, field.unit == "C" ? "\u00b0C" : field.unit);
+  return fmt::format("{} [{}]", name, field.unit);
 }
 
 /// A round number of 1, 2 or 5 times a power of ten, at most `most`.

@@ -76,7 +76,8 @@ TEST(FittedCamera, TouchesTheMargins) {
   const Filled h = filled(high, fitted_camera(high, {0.3f, -1, 0.5f}, 30, 4.0 / 3, 0.1, 0.05), 4.0 / 3);
   EXPECT_NEAR(h.top, 0.1, 1e-4);
   EXPECT_NEAR(h.bottom, 0.85, 1e-4);
-  EXPECT_NEAR((h.left + h.right) / 2, 0.5, 0.02);  // near and far points differ
+  EXPECT_NEAR((h.left + h.right) / 2, 0.5, 1e-4);
+  EXPECT_NEAR(w.top - 0.1, 0.85 - w.bottom, 1e-4);
 }
 
 /// A ball whose upper half has been hot and dry.
@@ -195,6 +196,23 @@ TEST(Images, TextIsDrawnAroundItsMiddle) {
       EXPECT_NEAR(shift, 0, 2);
     }
   }
+}
+
+/// Letters that hang below the line, or start left of their place, must not move it.
+TEST(Images, TextKeepsItsLine) {
+  const auto lowest_of_h = [](const std::string& text) {
+    Image image(300, 80, Colour::Ones());
+    draw_text(image, text, 10, 40, 32, Anchor::left, Colour::Zero());
+    int lowest = 0;
+    for (int y = 0; y < 80; ++y)
+      for (int x = 0; x < 20; ++x)
+        if (image.at(x, y)[0] < 128) lowest = y;
+    return lowest;
+  };
+  for (const char* text : {"Hg", "H, j", "H [x]", "HAy"}) EXPECT_EQ(lowest_of_h(text), lowest_of_h("H")) << text;
+  Image image(300, 80, Colour::Ones());
+  for (const char* text : {"81.6", "j", "A", "y = x", "Tj,;"})
+    EXPECT_NO_THROW(draw_text(image, text, 150, 40, 12, Anchor::centre, Colour::Zero()));
 }
 
 }  // namespace
