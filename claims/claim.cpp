@@ -17,47 +17,42 @@ bool contains(const std::vector<std::string>& list, std::string_view word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-[[noreturn]] void complain_at(const SceneEntry& claim, std::string_view key, const std::string& problem) {
-  claim.find(key).value_or(claim).complain(problem);
-}
-
 /// What the metric needs is there, and no key that it does not know.
 void check_place(const SceneEntry& entry, const Metric& metric) {
   for (const std::string& key : keys_of<MetricPlace>()) {
     const bool needed = contains(metric.needs, key), known = needed || contains(metric.knows, key);
     if (needed && !entry.find(key)) entry.refuse_missing(key, fmt::format("what {} needs: {}", metric.name, fmt::join(metric.needs, ", ")));
-    if (!known && entry.find(key)) complain_at(entry, key, fmt::format("'{}' knows no such key", metric.name));
+    if (!known && entry.find(key)) entry.complain_at(key, fmt::format("'{}' knows no such key", metric.name));
   }
 }
 
 void check_metric(const SceneEntry& entry, const Claim& claim, const std::vector<std::string>& computed) {
   if (claim.of.empty()) {
     if (!contains(computed, claim.metric))
-      complain_at(entry, "metric",
-                  fmt::format("unknown number '{}'; {}", claim.metric,
-                              computed.empty() ? "a metric needs `of`: the run or surface that it is measured of"
-                                               : suggestion(claim.metric, computed)));
+      entry.complain_at("metric", fmt::format("unknown number '{}'; {}", claim.metric,
+                                              computed.empty() ? "a metric needs `of`: the run or surface that it is measured of"
+                                                               : suggestion(claim.metric, computed)));
     return;
   }
   const Metric* metric = nullptr;
   try {
     metric = &find_metric(claim.metric);
   } catch (const InputError& error) {
-    complain_at(entry, "metric", error.what());
+    entry.complain_at("metric", error.what());
   }
   check_place(entry, *metric);
 }
 
 void check_condition(const SceneEntry& entry, const Claim& claim) {
   if (claim.expected.has_value() != claim.tolerance.has_value())
-    complain_at(entry, "expected", "needs a tolerance beside it, and a tolerance needs it");
+    entry.complain_at("expected", "needs a tolerance beside it, and a tolerance needs it");
   const int conditions =
       claim.expected.has_value() + (claim.at_least || claim.at_most) + !claim.greater_than.empty() + claim.order.has_value();
   if (conditions != 1) entry.complain("allowed: one condition: expected with tolerance; at_least, at_most or both; greater_than; or order");
-  if (claim.order && claim.of.size() < 2) complain_at(entry, "order", "needs a list `of` at least two");
-  if (claim.factor != 1 && claim.greater_than.empty()) complain_at(entry, "factor", "needs greater_than");
-  if (claim.kind == Evidence::regression && !claim.expected) complain_at(entry, "kind", "found a regression without an expected value");
-  if (claim.why.empty()) complain_at(entry, "why", "found \"\", allowed: the reason");
+  if (claim.order && claim.of.size() < 2) entry.complain_at("order", "needs a list `of` at least two");
+  if (claim.factor != 1 && claim.greater_than.empty()) entry.complain_at("factor", "needs greater_than");
+  if (claim.kind == Evidence::regression && !claim.expected) entry.complain_at("kind", "found a regression without an expected value");
+  if (claim.why.empty()) entry.complain_at("why", "found \"\", allowed: the reason");
 }
 
 Expectation expectation_of(const Claim& claim) {

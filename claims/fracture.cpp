@@ -12,12 +12,12 @@
 namespace bake {
 namespace {
 
-Crack crack_of(const nlohmann::json& json) { return {json.at("area_m2"), json.at("length_m"), json.at("centre_m")}; }
+Fracture::Crack crack_of(const nlohmann::json& json) { return {json.at("area_m2"), json.at("length_m"), json.at("centre_m")}; }
 
-Piece piece_of(const nlohmann::json& json) { return {json.at("volume_m3"), json.at("closed")}; }
+Fracture::Piece piece_of(const nlohmann::json& json) { return {json.at("volume_m3"), json.at("closed")}; }
 
-FractureFrame frame_of(const nlohmann::json& json) {
-  FractureFrame frame{json.at("time_s"), json.at("volume_m3"), json.at("crack_area_m2"), {}, {}};
+Fracture::Frame frame_of(const nlohmann::json& json) {
+  Fracture::Frame frame{json.at("time_s"), json.at("volume_m3"), json.at("crack_area_m2"), {}, {}};
   for (const auto& crack : json.at("cracks")) frame.cracks.push_back(crack_of(crack));
   for (const auto& piece : json.at("pieces")) frame.pieces.push_back(piece_of(piece));
   return frame;
@@ -25,11 +25,10 @@ FractureFrame frame_of(const nlohmann::json& json) {
 
 }  // namespace
 
-const FractureFrame& Fracture::at(std::optional<double> time_s) const {
+const Fracture::Frame& Fracture::at(std::optional<double> time_s) const {
   if (!time_s) return frames.back();
-  return *std::min_element(frames.begin(), frames.end(), [&](const FractureFrame& a, const FractureFrame& b) {
-    return std::abs(a.time_s - *time_s) < std::abs(b.time_s - *time_s);
-  });
+  return *std::min_element(frames.begin(), frames.end(),
+                           [&](const Frame& a, const Frame& b) { return std::abs(a.time_s - *time_s) < std::abs(b.time_s - *time_s); });
 }
 
 Fracture read_fracture(const std::filesystem::path& file) {

@@ -11,31 +11,29 @@
 
 namespace bake {
 
-/// A connected set of broken edges.
-struct Crack {
-  double area_m2 = 0, length_m = 0;
-  Vector3 centre_m{};  ///< where it is in the reference mesh
-};
-
-/// A part of the body that hangs together, with its surface.
-struct Piece {
-  double volume_m3 = 0;
-  bool closed = false;  ///< its surface is a closed manifold
-};
-
-struct FractureFrame {
-  double time_s = 0, volume_m3 = 0, crack_area_m2 = 0;
-  std::vector<Crack> cracks;
-  std::vector<Piece> pieces;
-};
-
 /// A body's cracks and pieces, frame by frame.
 struct Fracture {
+  /// A connected set of broken edges.
+  struct Crack {
+    double area_m2 = 0, length_m = 0;
+    Vector3 centre_m{};  ///< where it is in the reference mesh
+  };
+  /// A part of the body that hangs together, with its surface.
+  struct Piece {
+    double volume_m3 = 0;
+    bool closed = false;  ///< its surface is a closed manifold
+  };
+  struct Frame {
+    double time_s = 0, volume_m3 = 0, crack_area_m2 = 0;
+    std::vector<Crack> cracks;
+    std::vector<Piece> pieces;
+  };
+
   std::filesystem::path file;
-  std::vector<FractureFrame> frames;
+  std::vector<Frame> frames;
 
   /// The frame nearest to a time, the last one if none is given.
-  const FractureFrame& at(std::optional<double> time_s) const;
+  const Frame& at(std::optional<double> time_s) const;
 };
 
 /// Throws InputError: no such file, or not what bake-mesh writes.

@@ -9,6 +9,7 @@
 
 #include "claims/table.h"
 #include "solver/io/atomic_file.h"
+#include "solver/scene/describe.h"
 #include "solver/scene/input_error.h"
 #include "solver/scene/nearest.h"
 
@@ -75,7 +76,7 @@ Expectation read_expectation(const Entry& entry) {
 }
 
 nlohmann::ordered_json json_of(const Expectation& e) {
-  nlohmann::ordered_json json{{"name", e.name}, {"kind", choice_names(e.kind)[static_cast<std::size_t>(e.kind)]}};
+  nlohmann::ordered_json json{{"name", e.name}, {"kind", word_of(e.kind)}};
   const auto put = [&](const char* key, const std::optional<double>& value) {
     if (value) json[key] = *value;
   };
@@ -122,9 +123,7 @@ Reference read_reference(const std::filesystem::path& file) {
 }
 
 void write_reference(const Reference& reference) {
-  nlohmann::ordered_json json{{"item", reference.item},
-                              {"scene", reference.scene},
-                              {"quality", choice_names(reference.quality)[static_cast<std::size_t>(reference.quality)]}};
+  nlohmann::ordered_json json{{"item", reference.item}, {"scene", reference.scene}, {"quality", word_of(reference.quality)}};
   for (const Expectation& e : reference.metrics) json["metrics"].push_back(json_of(e));
   json["blessed"] = reference.blessed;
   write_text_atomically(reference.file, json.dump(2) + "\n");

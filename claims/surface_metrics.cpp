@@ -12,7 +12,7 @@ double as_number(std::size_t count) { return static_cast<double>(count); }
 
 double crack_length(const Fracture& fracture, const MetricPlace& at) {
   double sum = 0;
-  for (const Crack& crack : fracture.at(at.time_s).cracks) sum += crack.length_m;
+  for (const Fracture::Crack& crack : fracture.at(at.time_s).cracks) sum += crack.length_m;
   return sum;
 }
 
@@ -25,7 +25,7 @@ bool inside(const Vector3& point, const Vector3& low, const Vector3& high) {
 /// No number where there is no crack.
 double crack_share(const Fracture& fracture, const MetricPlace& at) {
   double all = 0, within = 0;
-  for (const Crack& crack : fracture.at(at.time_s).cracks) {
+  for (const Fracture::Crack& crack : fracture.at(at.time_s).cracks) {
     all += crack.area_m2;
     if (inside(crack.centre_m, *at.low_m, *at.high_m)) within += crack.area_m2;
   }
@@ -34,21 +34,22 @@ double crack_share(const Fracture& fracture, const MetricPlace& at) {
 
 double closed_pieces(const Fracture& fracture, const MetricPlace& at) {
   const auto& pieces = fracture.at(at.time_s).pieces;
-  return as_number(static_cast<std::size_t>(std::count_if(pieces.begin(), pieces.end(), [](const Piece& p) { return p.closed; })));
+  return as_number(
+      static_cast<std::size_t>(std::count_if(pieces.begin(), pieces.end(), [](const Fracture::Piece& p) { return p.closed; })));
 }
 
 /// Volume of all pieces over the volume of the mesh that they were made of.
 double pieces_volume(const Fracture& fracture, const MetricPlace& at) {
-  const FractureFrame& frame = fracture.at(at.time_s);
+  const Fracture::Frame& frame = fracture.at(at.time_s);
   double sum = 0;
-  for (const Piece& piece : frame.pieces) sum += piece.volume_m3;
+  for (const Fracture::Piece& piece : frame.pieces) sum += piece.volume_m3;
   return sum / frame.volume_m3;
 }
 
 double second_piece(const Fracture& fracture, const MetricPlace& at) {
   std::vector<double> volumes{0, 0};
   double sum = 0;
-  for (const Piece& piece : fracture.at(at.time_s).pieces) {
+  for (const Fracture::Piece& piece : fracture.at(at.time_s).pieces) {
     volumes.push_back(piece.volume_m3);
     sum += piece.volume_m3;
   }

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "solver/scene/describe.h"
+
 namespace bake {
 
 std::string table(const std::vector<TableRow>& rows) {
@@ -17,7 +19,7 @@ std::string table(const std::vector<TableRow>& rows) {
                                  "kind", "verdict");
   for (const TableRow& row : rows)
     text += fmt::format("  {:<{}} {:>12.6g} {:<6} {:<{}} {:<10}  {}\n", row.what, what, row.measured, row.unit, row.condition, condition,
-                        choice_names(row.kind)[static_cast<std::size_t>(row.kind)], row.holds ? "holds" : "MISSED: " + row.why);
+                        word_of(row.kind), row.holds ? "holds" : "MISSED: " + row.why);
   return text;
 }
 

@@ -42,15 +42,8 @@ MetricWords words_of(const Claim& claim, const Computed& computed) {
 }
 
 nlohmann::json json_of(const ClaimVerdict& v) {
-  return {{"metric", v.metric},
-          {"meaning", v.meaning},
-          {"of", v.of},
-          {"measured", v.measured},
-          {"unit", v.unit},
-          {"condition", v.condition},
-          {"kind", choice_names(v.kind)[static_cast<std::size_t>(v.kind)]},
-          {"why", v.why},
-          {"holds", v.holds}};
+  return {{"metric", v.metric},       {"meaning", v.meaning},    {"of", v.of},   {"measured", v.measured}, {"unit", v.unit},
+          {"condition", v.condition}, {"kind", word_of(v.kind)}, {"why", v.why}, {"holds", v.holds}};
 }
 
 nlohmann::json json_of(const Place& place, const FigureRun& run) {

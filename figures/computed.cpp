@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "analysis/charts/text.h"
 #include "experiments/fig07_yield_surface/yield_surface.h"
 #include "experiments/fig08_curves/curves.h"
 #include "experiments/fig12_co2_rate/co2_rate.h"
@@ -46,13 +47,6 @@ std::string row_of(const std::vector<std::string>& cells, const char* before, co
   return fmt::format("{}{}{}\n", before, fmt::join(cells, between), after);
 }
 
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted;
-  for (const char c : text) quoted += c == '"' ? std::string(2, c) : std::string(1, c);
-  return fmt::format("\"{}\"", quoted);
-}
-
 std::string markdown_cell(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
@@ -86,8 +80,8 @@ std::string text_of(const ComputedTable& table) {
 }
 
 std::string csv_of(const ComputedTable& table) {
-  std::string text = row_of(changed(table.header, csv_cell), "", ",", "");
-  for (const auto& row : table.rows) text += row_of(changed(row, csv_cell), "", ",", "");
+  std::string text = row_of(changed(table.header, charts::csv_cell), "", ",", "");
+  for (const auto& row : table.rows) text += row_of(changed(row, charts::csv_cell), "", ",", "");
   return text;
 }
 

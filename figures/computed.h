@@ -33,7 +33,7 @@ struct Computed {
   std::vector<ComputedTable> tables;
 };
 
-/// An experiment's function, and the names of what it gives, so that a figure.toml can be checked without computing anything.
+/// An experiment's function.
 struct ComputedItem {
   const char* experiment;
   Computed (*compute)();

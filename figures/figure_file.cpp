@@ -13,10 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void complain_at(const SceneEntry& table, std::string_view key, const std::string& problem) {
-  table.find(key).value_or(table).complain(problem);
-}
-
 template <class T>
 std::vector<std::string> names_in(const std::vector<T>& list) {
   std::vector<std::string> names;
@@ -34,42 +30,42 @@ std::vector<std::string> runs_and_surfaces(const Figure& figure) {
 void check_known(const SceneEntry& entry, std::string_view key, const std::string& name, const char* what,
                  const std::vector<std::string>& known) {
   if (std::find(known.begin(), known.end(), name) == known.end())
-    complain_at(entry, key,
-                fmt::format("unknown {} '{}'; {}", what, quotable(name), known.empty() ? "there is none" : suggestion(name, known)));
+    entry.complain_at(key,
+                      fmt::format("unknown {} '{}'; {}", what, quotable(name), known.empty() ? "there is none" : suggestion(name, known)));
 }
 
 /// Names become names of files.
 void check_name(const SceneEntry& entry, const std::string& name, const std::vector<std::string>& taken) {
   if (name.empty() || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos)
-    complain_at(entry, "name", fmt::format("found '{}', allowed: a-z, 0-9 and _", quotable(name)));
-  if (std::find(taken.begin(), taken.end(), name) != taken.end()) complain_at(entry, "name", fmt::format("found '{}' again", name));
+    entry.complain_at("name", fmt::format("found '{}', allowed: a-z, 0-9 and _", quotable(name)));
+  if (std::find(taken.begin(), taken.end(), name) != taken.end()) entry.complain_at("name", fmt::format("found '{}' again", name));
 }
 
 void check(const SceneEntry& entry, const FigureRun& run, const Figure& figure, const ComputedNames&) {
   check_name(entry, run.name, runs_and_surfaces(figure));
   if (!fs::is_regular_file(scene_file(figure, run)))
-    complain_at(entry, "scene",
-                fmt::format("found '{}', allowed: a scene ({} is not there)", quotable(run.scene), scene_file(figure, run).string()));
+    entry.complain_at("scene",
+                      fmt::format("found '{}', allowed: a scene ({} is not there)", quotable(run.scene), scene_file(figure, run).string()));
 }
 
 void check(const SceneEntry& entry, const FigureSurface& surface, const Figure& figure, const ComputedNames&) {
   check_name(entry, surface.name, runs_and_surfaces(figure));
   check_known(entry, "run", surface.run, "run", names_in(figure.runs));
   if (!find_named(figure.runs, surface.run)->mesh)
-    complain_at(entry, "run", fmt::format("found '{}', allowed: a run with mesh = true", surface.run));
+    entry.complain_at("run", fmt::format("found '{}', allowed: a run with mesh = true", surface.run));
 }
 
 void check(const SceneEntry& entry, const FigurePicture& picture, const Figure& figure, const ComputedNames&) {
   check_name(entry, picture.name, names_in(figure.pictures));
   if (!fs::is_regular_file(view_file(figure, picture)))
-    complain_at(entry, "view",
-                fmt::format("found '{}', allowed: a view ({} is not there)", quotable(picture.view), view_file(figure, picture).string()));
+    entry.complain_at(
+        "view", fmt::format("found '{}', allowed: a view ({} is not there)", quotable(picture.view), view_file(figure, picture).string()));
   for (const std::string& name : picture.of) check_known(entry, "of", name, "run or surface", runs_and_surfaces(figure));
 }
 
 void check(const SceneEntry& entry, const FigureChart& chart, const Figure& figure, const ComputedNames& computed) {
   check_name(entry, chart.name, names_in(figure.charts));
-  if (chart.column.empty() != chart.of.empty()) complain_at(entry, "column", "allowed: column and `of` together, or a name alone");
+  if (chart.column.empty() != chart.of.empty()) entry.complain_at("column", "allowed: column and `of` together, or a name alone");
   if (chart.column.empty()) check_known(entry, "name", chart.name, "chart", computed.charts);
   for (const std::string& name : chart.of) check_known(entry, "of", name, "run", names_in(figure.runs));
 }
@@ -83,27 +79,18 @@ void check(const SceneEntry& entry, const Claim& claim, const Figure& figure) {
     check_known(entry, key, name, "run or surface", runs_and_surfaces(figure));
     const bool is_run = find_named(figure.runs, name);
     if (is_run == (find_metric(claim.metric).of_run != nullptr)) continue;
-    complain_at(entry, key,
-                fmt::format("found '{}', a {}, allowed: a {}, of which {} is measured", name, is_run ? "run" : "surface",
-                            is_run ? "surface" : "run", claim.metric));
+    entry.complain_at(key, fmt::format("found '{}', a {}, allowed: a {}, of which {} is measured", name, is_run ? "run" : "surface",
+                                       is_run ? "surface" : "run", claim.metric));
   }
-}
-
-template <class Visit>
-void for_each_table(const SceneEntry& root, const char* key, Visit visit) {
-  const auto list = root.find(key);
-  if (!list) return;
-  if (!list->node().is_array()) list->refuse(fmt::format("tables under [[{}]]", key));
-  for (const SceneEntry& entry : list->elements()) visit(entry);
 }
 
 template <class T>
 void read_tables(const SceneEntry& root, const char* key, std::vector<T> Figure::*member, Figure& figure, const ComputedNames& computed) {
-  for_each_table(root, key, [&](const SceneEntry& entry) {
+  for (const SceneEntry& entry : root.tables(key)) {
     T one = read_table<T>(entry);
     check(entry, one, figure, computed);
     (figure.*member).push_back(std::move(one));
-  });
+  }
 }
 
 std::string required_text(const SceneEntry& root, const char* key) {
@@ -127,10 +114,10 @@ Figure read_figure(const fs::path& file, const ComputedNames& computed) {
   read_tables(root, "surface", &Figure::surfaces, figure, computed);
   read_tables(root, "picture", &Figure::pictures, figure, computed);
   read_tables(root, "chart", &Figure::charts, figure, computed);
-  for_each_table(root, "claim", [&](const SceneEntry& entry) {
+  for (const SceneEntry& entry : root.tables("claim")) {
     figure.claims.push_back(read_claim(entry, computed.numbers));
     check(entry, figure.claims.back(), figure);
-  });
+  }
   if (figure.claims.empty()) root.refuse_missing("claim", "at least one: what is shown must be measured");
   return figure;
 }

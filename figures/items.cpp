@@ -15,10 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void complain_at(const SceneEntry& table, std::string_view key, const std::string& problem) {
-  table.find(key).value_or(table).complain(problem);
-}
-
 /// "figure 3", "table 2".
 bool is_number(const std::string& text) {
   const auto space = text.find(' ');
@@ -29,25 +25,25 @@ bool is_number(const std::string& text) {
 void check_scenes(const SceneEntry& entry, const Items& items, const Item& item) {
   for (const std::string& scene : item.scenes)
     if (!fs::is_regular_file(items.experiment_of(item) / (scene + ".toml")))
-      complain_at(entry, "scenes", fmt::format("found '{}', allowed: a scene in experiments/{}", scene, item.experiment));
+      entry.complain_at("scenes", fmt::format("found '{}', allowed: a scene in experiments/{}", scene, item.experiment));
 }
 
 void check_item(const SceneEntry& entry, const Items& items, const Item& item) {
-  if (!is_number(item.number)) complain_at(entry, "number", fmt::format("found '{}', allowed: figure N or table N", item.number));
+  if (!is_number(item.number)) entry.complain_at("number", fmt::format("found '{}', allowed: figure N or table N", item.number));
   for (const Item& other : items.items) {
-    if (other.number == item.number) complain_at(entry, "number", fmt::format("found '{}' again", item.number));
-    if (other.name == item.name) complain_at(entry, "name", fmt::format("found '{}' again", item.name));
+    if (other.number == item.number) entry.complain_at("number", fmt::format("found '{}' again", item.number));
+    if (other.name == item.name) entry.complain_at("name", fmt::format("found '{}' again", item.name));
   }
   if (item.status != ItemStatus::not_there_yet && !fs::is_directory(items.experiment_of(item)))
-    complain_at(entry, "experiment", fmt::format("found '{}', allowed: a folder in experiments", item.experiment));
+    entry.complain_at("experiment", fmt::format("found '{}', allowed: a folder in experiments", item.experiment));
   const bool has_figure = fs::exists(items.figure_file_of(item));
   if (item.status == ItemStatus::done) {
-    if (!has_figure) complain_at(entry, "status", fmt::format("found done without experiments/{}/figure.toml", item.experiment));
+    if (!has_figure) entry.complain_at("status", fmt::format("found done without experiments/{}/figure.toml", item.experiment));
     if (!item.scenes.empty() || !item.claims.empty())
       entry.complain("found scenes or claims of an item that is done: its figure.toml names them");
     return;
   }
-  if (has_figure) complain_at(entry, "status", "found a figure.toml of an item that is not done");
+  if (has_figure) entry.complain_at("status", "found a figure.toml of an item that is not done");
   if (item.claims.empty()) entry.refuse_missing("claims", "what must be measured to call it reproduced");
   if (item.status == ItemStatus::scene_only && item.scenes.empty()) entry.refuse_missing("scenes", "the scenes that are there");
   check_scenes(entry, items, item);
@@ -55,7 +51,7 @@ void check_item(const SceneEntry& entry, const Items& items, const Item& item) {
 
 void check_other(const SceneEntry& entry, const Items& items, const OtherExperiment& other) {
   if (!fs::is_directory(items.root / "experiments" / other.experiment))
-    complain_at(entry, "experiment", fmt::format("found '{}', allowed: a folder in experiments", other.experiment));
+    entry.complain_at("experiment", fmt::format("found '{}', allowed: a folder in experiments", other.experiment));
 }
 
 /// Every experiment belongs to an item or has a stated purpose.
@@ -66,13 +62,6 @@ void check_experiments(const SceneEntry& root, const Items& items) {
   for (const auto& entry : fs::directory_iterator(items.root / "experiments"))
     if (const std::string folder = entry.path().filename().string(); entry.is_directory() && !known.contains(folder))
       root.complain(fmt::format("found experiments/{}, of which no [[item]] or [[other]] tells", folder));
-}
-
-std::vector<SceneEntry> tables_in(const SceneEntry& root, const char* key) {
-  const auto list = root.find(key);
-  if (!list) return {};
-  if (!list->node().is_array()) list->refuse(fmt::format("tables under [[{}]]", key));
-  return list->elements();
 }
 
 }  // namespace
@@ -93,12 +82,12 @@ Items read_items(const fs::path& root) {
   const SceneEntry entry(document, table);
   entry.refuse_unknown({"item", "other"});
   Items items{root, {}, {}};
-  for (const SceneEntry& one : tables_in(entry, "item")) {
+  for (const SceneEntry& one : entry.tables("item")) {
     const Item item = read_table<Item>(one);
     check_item(one, items, item);
     items.items.push_back(item);
   }
-  for (const SceneEntry& one : tables_in(entry, "other")) {
+  for (const SceneEntry& one : entry.tables("other")) {
     items.others.push_back(read_table<OtherExperiment>(one));
     check_other(one, items, items.others.back());
   }

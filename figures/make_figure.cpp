@@ -20,8 +20,8 @@ bool MadeFigure::holds() const {
 
 ReadFigure read_figure(const Items& items, const Item& item) {
   if (item.status != ItemStatus::done)
-    throw InputError(fmt::format("{} ({}): {}, allowed: an item that is done (bake list figures)", item.number, item.name,
-                                 choice_names(item.status)[static_cast<std::size_t>(item.status)]));
+    throw InputError(
+        fmt::format("{} ({}): {}, allowed: an item that is done (bake list figures)", item.number, item.name, word_of(item.status)));
   const ComputedItem* own = find_computed(item.experiment);
   Computed computed = own ? own->compute() : Computed{};
   return {read_figure(items.figure_file_of(item), names_of(computed)), std::move(computed)};

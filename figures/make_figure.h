@@ -16,11 +16,12 @@ struct MadeFigure {
   bool holds() const;  ///< every claim
 };
 
-/// The item's figure.toml, and what its own function computes. Throws InputError for an item that is not done.
+/// The item's figure.toml, and what its own function computes.
 struct ReadFigure {
   Figure figure;
   Computed computed;
 };
+/// Throws InputError for an item that is not done.
 ReadFigure read_figure(const Items& items, const Item& item);
 
 /// Makes what is missing: runs, surfaces, pictures, charts; checks the claims and writes claims.json. Throws as figures/steps.h says.

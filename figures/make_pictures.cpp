@@ -34,8 +34,7 @@ std::vector<Input> inputs_of(const Place& place, const FigurePicture& picture) {
 
 std::vector<std::string> render_arguments(const Place& place, const FigurePicture& picture, const std::vector<Input>& inputs,
                                           const fs::path& out) {
-  std::vector<std::string> words{choice_names(picture.kind)[static_cast<std::size_t>(picture.kind)],
-                                 view_file(place.figure, picture).string()};
+  std::vector<std::string> words{word_of(picture.kind), view_file(place.figure, picture).string()};
   for (const Input& input : inputs) words.push_back(input.file.string());
   words.insert(words.end(), {"--out", out.string()});
   for (const Input& input : inputs) words.insert(words.end(), {"--results", input.results.string()});

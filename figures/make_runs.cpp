@@ -65,7 +65,7 @@ void make_run(const Place& place, const FigureRun& run) {
                                  kept == KeptRun::finished     ? "is there"
                                  : kept == KeptRun::unfinished ? "goes on from its checkpoint"
                                                                : "begins"));
-  complete_run(scene, options);
+  complete_run(scene, options, kept);
 }
 
 void refuse_unknown_run(const Place& place) {

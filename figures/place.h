@@ -3,9 +3,15 @@
 #pragma once
 
 #include "figures/figure_file.h"
+#include "solver/scene/describe.h"
 #include "solver/scene/settings.h"
 
 namespace bake {
+
+/// results/items/<item>-<quality>, in the working folder.
+inline std::filesystem::path item_folder(const Item& item, Quality quality) {
+  return std::filesystem::path("results/items") / (item.name + "-" + word_of(quality));
+}
 
 struct MakeOptions {
   Quality quality = Quality::draft;
@@ -23,9 +29,9 @@ struct Place {
   const Figure& figure;
   const MakeOptions& options;
 
-  std::string quality() const { return choice_names(Quality{})[static_cast<std::size_t>(options.quality)]; }
+  std::string quality() const { return word_of(options.quality); }
   std::filesystem::path run(const std::string& name) const { return std::filesystem::path("results") / (name + "-" + quality()); }
-  std::filesystem::path item_folder() const { return std::filesystem::path("results/items") / (item.name + "-" + quality()); }
+  std::filesystem::path item_folder() const { return bake::item_folder(item, options.quality); }
   std::filesystem::path surface(const std::string& name) const { return item_folder() / name; }
 };
 

@@ -1,59 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "figures/programs.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 
 #include <cstring>
 #include <fstream>
 
 #include "solver/baker/run_error.h"
-#include "solver/io/atomic_file.h"
-#include "solver/scene/entry.h"
+#include "solver/io/child.h"
 #include "solver/scene/input_error.h"
-
-extern char** environ;
 
 namespace bake {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// How a child opens its files.
-class FileActions {
- public:
-  explicit FileActions(const fs::path& log) {
-    posix_spawn_file_actions_init(&actions_);
-    posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions_, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    posix_spawn_file_actions_adddup2(&actions_, 1, 2);
-  }
-  ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
-  FileActions(const FileActions&) = delete;
-  FileActions& operator=(const FileActions&) = delete;
-  const posix_spawn_file_actions_t* get() const { return &actions_; }
-
- private:
-  posix_spawn_file_actions_t actions_;
-};
-
-/// Its exit code, or 128 + the signal that ended it, as shells have it.
-int run_and_wait(const fs::path& program, std::vector<std::string> words, const fs::path& log) {
-  words.insert(words.begin(), program.string());
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  pointers.push_back(nullptr);
-  const FileActions actions(log);
-  pid_t child = 0;
-  if (const int error = posix_spawn(&child, program.c_str(), actions.get(), nullptr, pointers.data(), environ); error != 0)
-    throw InputError(fmt::format("{}: cannot be started: {}", program.string(), std::strerror(error)));
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
 
 /// The last line that says something, without what the terminal was told to do before it.
 std::string last_line(const fs::path& file) {
@@ -80,7 +40,10 @@ fs::path find_program(const std::string& name) {
 void call_program(const std::string& name, const std::vector<std::string>& arguments, const fs::path& log) {
   const fs::path program = find_program(name);
   fs::create_directories(log.parent_path());
-  const int code = run_and_wait(program, arguments, log);
+  std::vector<std::string> words = arguments;
+  words.insert(words.begin(), program.string());
+  const auto [start_error, code] = run_child(std::move(words), log);
+  if (start_error != 0) throw InputError(fmt::format("{}: cannot be started: {}", program.string(), std::strerror(start_error)));
   if (code == 0) return;
   std::string line = last_line(log);
   for (const auto& own : {name + ": ", std::string("bake: ")})  // its own name is in front of ours anyway

@@ -13,10 +13,6 @@ using nlohmann::json;
 
 double number_in(const json& value) { return value.is_number() ? value.get<double>() : std::nan(""); }
 
-Html mark(bool holds) {
-  return element("span", text(holds ? "holds" : "missed"), holds ? "class=\"verdict good\"" : "class=\"verdict bad\"");
-}
-
 /// "volume gain", of which run, and what that is.
 Html what_was_measured(const json& claim) {
   std::string name = claim.at("metric");
@@ -32,8 +28,8 @@ Html claims_table(const json& claims) {
     const std::string unit = claim.at("unit");
     rows.push_back({what_was_measured(claim),
                     text(number(number_in(claim.at("measured"))) + (unit == "1" || unit.empty() ? "" : " " + unit)),
-                    text(claim.at("condition").get<std::string>()), mark(claim.at("holds")), text(claim.at("kind").get<std::string>()),
-                    text(claim.at("why").get<std::string>())});
+                    text(claim.at("condition").get<std::string>()), badge(claim.at("holds").get<bool>()),
+                    text(claim.at("kind").get<std::string>()), text(claim.at("why").get<std::string>())});
   }
   return table({"measured", "value", "claim", "verdict", "evidence", "why"}, rows);
 }
@@ -104,6 +100,10 @@ ItemVerdict ReportedItem::verdict() const {
   const auto& claims = made->at("claims");
   const bool all = std::all_of(claims.begin(), claims.end(), [](const json& claim) { return claim.at("holds").get<bool>(); });
   return all ? ItemVerdict::reproduced : ItemVerdict::not_reproduced;
+}
+
+Html badge(bool holds) {
+  return element("span", text(holds ? "holds" : "missed"), holds ? "class=\"verdict good\"" : "class=\"verdict bad\"");
 }
 
 Html badge(ItemVerdict verdict) {

@@ -22,6 +22,8 @@ struct ReportedItem {
 };
 
 Html badge(ItemVerdict verdict);
+/// Of a claim or a band.
+Html badge(bool holds);
 
 /// The item's place on the page: "figure-15".
 std::string anchor(const Item& item);

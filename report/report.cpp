@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "figures/place.h"
 #include "report/parts.h"
 #include "report/style.h"
 #include "solver/io/provenance.h"
@@ -13,10 +14,8 @@ namespace {
 
 using nlohmann::json;
 
-std::string quality_name(Quality quality) { return choice_names(quality)[static_cast<std::size_t>(quality)]; }
-
 ReportedItem reported(const Item& item, Quality quality) {
-  const auto folder = std::filesystem::path("results/items") / (item.name + "-" + quality_name(quality));
+  const auto folder = item_folder(item, quality);
   return {&item, folder, item.status == ItemStatus::done ? read_json(folder / "claims.json") : std::nullopt};
 }
 
@@ -57,8 +56,8 @@ Html heading(Quality quality) {
                           text(" (ACM Transactions on Graphics 38 (6), 2019), reproduces of the paper: each of its figures and tables with "
                                "what the paper claims, what was measured, and the verdict.")})),
             element("p",
-                    text(fmt::format("Quality {}; written {} by commit {} on {}, {} threads, {}.", quality_name(quality),
-                                     date.substr(0, 10), commit.substr(0, 10), cpu, made["machine"]["logical_cores"].get<int>(), os)),
+                    text(fmt::format("Quality {}; written {} by commit {} on {}, {} threads, {}.", word_of(quality), date.substr(0, 10),
+                                     commit.substr(0, 10), cpu, made["machine"]["logical_cores"].get<int>(), os)),
                     "class=\"soft\"")}));
 }
 

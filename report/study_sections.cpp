@@ -29,10 +29,6 @@ Html study_section(const char* id, const char* title, const char* words, const j
                  fmt::format("id=\"{}\"", id));
 }
 
-Html verdict(bool holds) {
-  return element("span", text(holds ? "holds" : "missed"), holds ? "class=\"verdict good\"" : "class=\"verdict bad\"");
-}
-
 /// The largest step found over the rule's, of the knob values of one map.
 struct Edges {
   double least = std::numeric_limits<double>::infinity(), most = 0;
@@ -57,7 +53,8 @@ Html orders_section(const std::filesystem::path& root) {
   std::vector<std::vector<Html>> rows;
   for (const json& order : study->at("orders"))
     rows.push_back({text(word(order, "exact_solution")), text(word(order, "quantity")), text(number(order.at("value"))),
-                    text(fmt::format("{} to {}", number(order.at("low")), number(order.at("high")))), verdict(order.at("holds"))});
+                    text(fmt::format("{} to {}", number(order.at("low")), number(order.at("high")))),
+                    badge(order.at("holds").get<bool>())});
   return study_section("orders", "Orders of convergence", "Errors against exact solutions fall with these powers of the resolution.",
                        *study, table({"exact solution", "error of", "order", "promised", "verdict"}, rows));
 }
@@ -91,8 +88,7 @@ Html stability_section(const std::filesystem::path& root) {
   std::vector<std::vector<Html>> rows;
   for (const auto& [name, map] : maps)
     rows.push_back({text(name), text(std::to_string(map.count)),
-                    text(map.has_limit ? fmt::format("{:.2f} to {:.2f}", map.least, map.most) : "no edge to be found"),
-                    verdict(map.holds)});
+                    text(map.has_limit ? fmt::format("{:.2f} to {:.2f}", map.least, map.most) : "no edge to be found"), badge(map.holds)});
   return study_section("stability", "Where the method breaks",
                        "The largest step with which nothing grows, over the step that the rule takes, for hard and soft, fine and coarse, "
                        "few and many particles.",

@@ -11,12 +11,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include "analysis/charts/gnuplot.h"
 #include "analysis/charts/text.h"
 #include "solver/io/atomic_file.h"
+#include "solver/scene/entry.h"
 #include "solver/scene/input_error.h"
 
 namespace bake::charts {
@@ -66,16 +66,6 @@ struct Column {
   std::string heading;
   std::vector<std::string> cells;
 };
-
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"') result += '"';
-    result += c;
-  }
-  return result + '"';
-}
 
 std::string heading(const std::string& group, const Axis& axis, const char* which = "") {
   return fmt::format("{}: {}{}{}", group, plain_text(axis.label), which, axis.unit.empty() ? "" : " [" + plain_text(axis.unit) + "]");
@@ -178,11 +168,6 @@ std::string shell_word(const std::string& text) {
   return result + "'";
 }
 
-std::string contents(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 /// What gnuplot had to say, in one line: it shows the place, a caret below it, then "chart.gp" line 7: message.
 std::string gist(const std::string& said) {
   const std::size_t place = said.find("line ");
@@ -266,8 +251,8 @@ void write_chart(const Chart& chart, const fs::path& folder) {
     write_text_atomically(folder / (chart.name + extension), text);
   };
   write(".csv", csv_of(chart));
-  write(".svg", finished_svg(contents(scratch / "chart.svg"), chart));
-  write(".pdf", contents(scratch / "chart.pdf"));
+  write(".svg", finished_svg(read_text_file(scratch / "chart.svg"), chart));
+  write(".pdf", read_text_file(scratch / "chart.pdf"));
 }
 
 }  // namespace bake::charts

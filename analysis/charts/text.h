@@ -11,5 +11,7 @@ namespace bake::charts {
 std::string gnuplot_text(std::string_view text);
 /// The same as plain text: dollar signs and groups' braces are dropped.
 std::string plain_text(std::string_view text);
+/// A cell of a CSV file: quoted if need be (RFC 4180).
+std::string csv_cell(const std::string& text);
 
 }  // namespace bake::charts

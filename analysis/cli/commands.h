@@ -3,20 +3,16 @@
 // `action` what is to be done.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "analysis/pictures/view.h"
+#include "solver/cli/program.h"
 
 namespace bake::render {
 
-/// What the program's exit codes mean.
-enum ExitCode { k_success = 0, k_wrong_use = 2, k_failed_run = 3 };
-
-using Action = std::function<void()>;
+using cli::Action, cli::k_success;
 
 void add_picture_command(CLI::App& app, Action& action);
 void add_slice_command(CLI::App& app, Action& action);

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <memory>
 
 #include "analysis/cli/commands.h"
 #include "analysis/pictures/picture.h"
+#include "solver/io/child.h"
 #include "solver/scene/entry.h"
 #include "solver/scene/input_error.h"
 
@@ -39,21 +37,13 @@ std::vector<fs::path> thinned(const std::vector<fs::path>& files, int every) {
   return some;
 }
 
-/// Runs a program and waits for it. False if it is not there; throws std::runtime_error if it fails.
-bool call(const std::vector<std::string>& words) {
-  std::vector<char*> arguments;
-  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  constexpr int k_not_there = 127;
-  const pid_t child = fork();
-  if (child == 0) {
-    execvp(arguments[0], arguments.data());
-    _exit(k_not_there);
-  }
-  int status = 0;
-  if (child < 0 || waitpid(child, &status, 0) < 0) throw std::runtime_error(fmt::format("{} cannot be started", words[0]));
-  if (WIFEXITED(status) && WEXITSTATUS(status) == k_not_there) return false;
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) throw std::runtime_error(fmt::format("{} failed", words[0]));
+/// Makes the film. False if ffmpeg is not there; throws std::runtime_error if it fails.
+bool film_from(const fs::path& pictures, double rate, const fs::path& film) {
+  const ChildEnd end =
+      run_child({"ffmpeg", "-y", "-loglevel", "error", "-framerate", fmt::format("{:g}", rate), "-i", pictures.string(), "-vf",
+                 "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", film.string()});
+  if (end.start_error != 0) return false;
+  if (end.exit_code != 0) throw std::runtime_error("ffmpeg failed");
   return true;
 }
 
@@ -74,7 +64,7 @@ Stage stage_of(const View& view, const std::vector<fs::path>& files, const fs::p
   return set_stage(view, points);
 }
 
-void make_movie(const Options& options) {
+int make_movie(const Options& options) {
   const View view = options.read();
   const int threads = thread_count(options.threads);
   const std::vector<fs::path> files = thinned(files_in(options.folder), options.every);
@@ -88,11 +78,12 @@ void make_movie(const Options& options) {
     write_png(options.out / fmt::format("{:04}.png", i),
               take_picture(view, compose(view, {files[i]}, {results}, histories, threads), stage, threads, progress));
   }
-  const std::string pictures = (options.out / "%04d.png").string(), film = (options.out / "movie.mp4").string();
-  const bool filmed = call({"ffmpeg", "-y", "-loglevel", "error", "-framerate", fmt::format("{:g}", options.rate), "-i", pictures, "-vf",
-                            "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", film});
-  fmt::print("{}\n",
-             filmed ? film : fmt::format("{} pictures in {}; for an mp4 apt-get install ffmpeg", files.size(), options.out.string()));
+  const fs::path film = options.out / "movie.mp4";
+  if (film_from(options.out / "%04d.png", options.rate, film))
+    fmt::print("{}\n", film.string());
+  else
+    fmt::print("{} pictures in {}; for an mp4 apt-get install ffmpeg\n", files.size(), options.out.string());
+  return k_success;
 }
 
 }  // namespace
@@ -105,7 +96,7 @@ void add_movie_command(CLI::App& app, Action& action) {
   command->add_option("--out", options->out, "folder of the pictures")->required();
   command->add_option("--every", options->every, "take every n-th frame, and the last [1]")->check(CLI::Range(1, 1000000));
   command->add_option("--rate", options->rate, "pictures per second of the mp4 [24]")->check(CLI::PositiveNumber);
-  command->callback([&action, options] { action = [options] { make_movie(*options); }; });
+  command->callback([&action, options] { action = [options] { return make_movie(*options); }; });
 }
 
 }  // namespace bake::render

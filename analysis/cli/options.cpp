@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <charconv>
-#include <chrono>
 #include <cstdio>
 #include <thread>
 
@@ -14,8 +13,6 @@
 
 namespace bake::render {
 namespace {
-
-double steady_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 int pixels_in(const std::string& size, std::string_view digits) {
   int value = 0;

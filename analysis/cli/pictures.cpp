@@ -29,6 +29,7 @@ void add_picture_command(CLI::App& app, Action& action) {
       Meter meter(options->out.filename().string());
       write_png(options->out, take_picture(options->read(), options->files, options->results_of(options->files.size()), histories,
                                            thread_count(options->threads), [&](double share) { meter(share); }));
+      return k_success;
     };
   });
 }
@@ -48,6 +49,7 @@ void add_slice_command(CLI::App& app, Action& action) {
       check_ending(options->out, ".png");
       write_png(options->out,
                 take_slices(options->read(), options->files, options->results_of(options->files.size()), thread_count(options->threads)));
+      return k_success;
     };
   });
 }
@@ -74,6 +76,7 @@ void add_montage_command(CLI::App& app, Action& action) {
       std::vector<Image> images;
       for (const auto& picture : options->pictures) images.push_back(read_png(picture));
       write_png(options->out, montage(images, options->labels, options->columns > 0 ? options->columns : static_cast<int>(images.size())));
+      return k_success;
     };
   });
 }
@@ -95,13 +98,19 @@ void add_surface_command(CLI::App& app, Action& action) {
       check_ending(options->out, ".hdf");
       write_mesh(options->out,
                  splat_surface(read_particles_of_frame(options->frame), {options->spacing_m, thread_count(options->threads)}));
+      return k_success;
     };
   });
 }
 
 void add_explain_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("explain", "All keys of a view file");
-  command->callback([&action] { action = [] { fmt::print("{}", explain_view()); }; });
+  command->callback([&action] {
+    action = [] {
+      fmt::print("{}", explain_view());
+      return k_success;
+    };
+  });
 }
 
 }  // namespace bake::render

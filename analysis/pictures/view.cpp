@@ -71,10 +71,7 @@ void check(const SceneEntry& entry, const ObjectSettings& object) {
 
 template <class T>
 void read_all_of(const SceneEntry& root, const char* name, std::vector<T>& values) {
-  const auto list = root.find(name);
-  if (!list) return;
-  if (!list->node().is_array()) list->refuse(fmt::format("tables under [[{}]]", name));
-  for (const SceneEntry& entry : list->elements()) {
+  for (const SceneEntry& entry : root.tables(name)) {
     values.push_back(read_table<T>(entry));
     check(entry, values.back());
   }

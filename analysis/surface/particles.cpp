@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "solver/io/frames.h"
-#include "solver/io/hdf5.h"
+#include "solver/io/vtkhdf.h"
 #include "solver/scene/input_error.h"
 
 namespace bake {
@@ -24,11 +24,6 @@ void check(const std::filesystem::path& path, const Particles& particles) {
 
 }  // namespace
 
-const MeshField* Particles::find(std::string_view name) const {
-  const auto found = std::find_if(fields.begin(), fields.end(), [&](const MeshField& field) { return field.name == name; });
-  return found == fields.end() ? nullptr : &*found;
-}
-
 float Particles::spacing() const {
   std::vector<float> sorted = volumes;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
@@ -44,14 +39,10 @@ Particles read_particles_of_frame(const std::filesystem::path& path) {
   particles.positions = frame.positions();
   particles.volumes = frame.column("volume");
   if (frame.has("id")) particles.ids = frame.identities();
-  for (const std::string& name : file.names("VTKHDF/PointData")) {
-    const std::string dataset = "VTKHDF/PointData/" + name;
-    const auto shape = file.shape(dataset);
-    const std::size_t components = shape.size() == 1 ? 1 : shape.at(1);
-    if (name == "id" || name == "volume" || (components != 1 && name != "velocity")) continue;
-    const std::vector<float> values = frame.column(name, components);
-    const std::string unit = file.has_attribute(dataset, "unit") ? file.attribute<std::string>(dataset, "unit") : std::string();
-    particles.fields.push_back({name, unit, components, {values.begin(), values.end()}});
+  for (const std::string& name : file.names(k_vtk_fields)) {
+    if (name == "id" || name == "volume") continue;
+    MeshField field = read_field(file, name);
+    if (field.components == 1 || name == "velocity") particles.fields.push_back(std::move(field));
   }
   check(path, particles);
   return particles;

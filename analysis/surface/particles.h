@@ -19,7 +19,7 @@ struct Particles {
   std::vector<MeshField> fields;  ///< all scalars of the frame but volume, and velocity
 
   std::size_t count() const { return positions.size() / 3; }
-  const MeshField* find(std::string_view name) const;
+  const MeshField* find(std::string_view name) const { return find_field(fields, name); }
   /// Typical distance of neighbours: cube root of the median volume [m].
   float spacing() const;
 };

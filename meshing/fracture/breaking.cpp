@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "meshing/fracture/union_find.h"
+#include "meshing/union_find.h"
 #include "solver/boundary/vector3.h"
 
 namespace bake {

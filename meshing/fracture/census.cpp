@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "meshing/fracture/union_find.h"
+#include "meshing/union_find.h"
 #include "solver/boundary/vector3.h"
 
 namespace bake {

@@ -14,8 +14,8 @@
 #include <fstream>
 #include <map>
 
-#include "meshing/fracture/union_find.h"
 #include "meshing/solid/triangle_mesh.h"
+#include "meshing/union_find.h"
 #include "solver/boundary/vector3.h"
 #include "solver/scene/input_error.h"
 

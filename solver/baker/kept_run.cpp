@@ -34,8 +34,7 @@ KeptRun kept_run(const Scene& scene, const std::filesystem::path& folder) {
   }
 }
 
-void complete_run(const Scene& scene, RunOptions options) {
-  const KeptRun kept = kept_run(scene, options.out);
+void complete_run(const Scene& scene, RunOptions options, KeptRun kept) {
   if (kept == KeptRun::finished) return;
   options.resume = kept == KeptRun::unfinished;
   if (run_scene(scene, options).interrupted) throw RunError("interrupted; the same command goes on from the checkpoint");

@@ -18,8 +18,8 @@ enum class KeptRun {
 /// (commits that change only other rooms do not matter), compiler and flags. Threads do not matter: they do not change the results.
 KeptRun kept_run(const Scene& scene, const std::filesystem::path& folder);
 
-/// run_scene, but only what is missing: nothing if the folder's run is finished; from its checkpoint if it is unfinished.
-/// Throws as run_scene, and RunError if it was interrupted.
-void complete_run(const Scene& scene, RunOptions options);
+/// run_scene, but only what is missing of a folder whose run is as `kept` says: nothing if it is finished; from its checkpoint on if it is
+/// unfinished. Throws as run_scene, and RunError if it was interrupted.
+void complete_run(const Scene& scene, RunOptions options, KeptRun kept);
 
 }  // namespace bake

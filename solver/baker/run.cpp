@@ -5,7 +5,6 @@
 #include <omp.h>
 
 #include <atomic>
-#include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
 
@@ -13,6 +12,7 @@
 #include "solver/io/ledger_file.h"
 #include "solver/io/progress.h"
 #include "solver/io/provenance.h"
+#include "solver/scene/describe.h"
 #include "solver/scene/resolved.h"
 
 namespace bake {
@@ -41,8 +41,6 @@ class StopSignals {
  private:
   struct sigaction old_int_, old_term_;
 };
-
-double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// The files of a run.
 struct Results {
@@ -155,7 +153,7 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
   }
   make_folder(results.frames());
 
-  const double began = seconds();
+  const double began = steady_seconds();
   const std::int64_t old_steps = simulation->counters().particle_steps;
   Progress progress(progress_on_stderr(options.quiet));
   std::vector<double> first = simulation->ledger_row(), last = first;
@@ -179,7 +177,7 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
                     static_cast<std::uint64_t>(simulation->counters().particle_steps - old_steps)};
   };
   const auto finish = [&](const char* state) {
-    const double wall = seconds() - began;
+    const double wall = steady_seconds() - began;
     save_description(scene, results, state, last, wall);
     return summary_text(scene, results, first, last, wall, simulation->counters().particle_steps - old_steps);
   };
@@ -190,7 +188,7 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
         return !StopSignals::asked();
       });
     } catch (const RunError&) {
-      save_description(scene, results, "failed", last, seconds() - began);
+      save_description(scene, results, "failed", last, steady_seconds() - began);
       throw;
     }
   };
@@ -218,9 +216,8 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
 std::string describe_scene(const Scene& scene) {
   std::string effects;
   for (const std::string& e : scene.effects) effects += (effects.empty() ? "" : ", ") + e;
-  std::string text =
-      fmt::format("{}\n  effects      {}\n  precision    {}\n", scene.title.empty() ? scene.file.stem().string() : scene.title, effects,
-                  choice_names(scene.run.precision)[static_cast<std::size_t>(scene.run.precision)]);
+  std::string text = fmt::format("{}\n  effects      {}\n  precision    {}\n",
+                                 scene.title.empty() ? scene.file.stem().string() : scene.title, effects, word_of(scene.run.precision));
   double speed = 0;
   for (const Quality quality : {Quality::draft, Quality::standard, Quality::paper}) {
     Scene at = scene;
@@ -229,15 +226,15 @@ std::string describe_scene(const Scene& scene) {
     const auto n = static_cast<double>(simulation->particles());
     if (quality == Quality::draft) {
       text += fmt::format("  memory       {}\n", simulation->memory_words());
-      const double began = seconds();
+      const double began = steady_seconds();
       int steps = 20;
       simulation->advance(scene.run.end_s, scene.run.end_s, [&] { return --steps > 0; });
-      speed = static_cast<double>(simulation->counters().particle_steps) / std::max(seconds() - began, 1e-6);
+      speed = static_cast<double>(simulation->counters().particle_steps) / std::max(steady_seconds() - began, 1e-6);
     }
     const double steps = simulation->dt() > 0 ? std::ceil(scene.run.end_s / simulation->dt()) : 0;
     text += fmt::format("  {:<12} dx {:.4g} m, {:.0f} particles, {:.0f} MB ({:.0f} bytes per particle), about {:.0f} steps, {}\n",
-                        choice_names(quality)[static_cast<std::size_t>(quality)], at.dx(), n,
-                        static_cast<double>(simulation->bytes()) / 1e6, n > 0 ? static_cast<double>(simulation->bytes()) / n : 0, steps,
+                        word_of(quality), at.dx(), n, static_cast<double>(simulation->bytes()) / 1e6,
+                        n > 0 ? static_cast<double>(simulation->bytes()) / n : 0, steps,
                         speed > 0 ? clock_text(n * steps / speed) : "no time at all");
   }
   return text + "  (steps from the first step's length; time from a trial of 20 steps at draft on this machine)";

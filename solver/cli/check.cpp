@@ -12,6 +12,7 @@
 #include "solver/baker/kept_run.h"
 #include "solver/cli/commands.h"
 #include "solver/cli/scene_files.h"
+#include "solver/scene/describe.h"
 #include "solver/scene/nearest.h"
 #include "solver/scene/reader.h"
 
@@ -45,8 +46,7 @@ Reference reference_of(const Results& results, const fs::path& folder) {
   const std::string quality = results.description().value("/scene/quality"_json_pointer, std::string());
   for (const fs::path& file : reference_files()) {
     Reference reference = read_reference(file);
-    if (fs::path(reference.scene).stem() == scene.stem() && choice_names(Quality{})[static_cast<std::size_t>(reference.quality)] == quality)
-      return reference;
+    if (fs::path(reference.scene).stem() == scene.stem() && word_of(reference.quality) == quality) return reference;
   }
   throw InputError(fmt::format("{}: found a run of {} at {}, of which there is no reference, allowed: those of reference/metrics",
                                folder.string(), scene.string(), quality));
@@ -58,7 +58,7 @@ Results results_of(const Reference& reference, fs::path folder, bool quiet) {
   RunOptions options;
   options.out = folder.empty() ? default_results(scene) : folder;
   options.quiet = quiet;
-  complete_run(scene, options);
+  complete_run(scene, options, kept_run(scene, options.out));
   return Results(options.out);
 }
 
@@ -82,8 +82,7 @@ int check_subject(const CheckArguments& arguments) {
     return std::pair(std::move(found), std::move(all));
   }();
   const auto missed = std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return !v.holds(); });
-  fmt::print("{} ({} at {})\n{}", reference.item, reference.scene, choice_names(Quality{})[static_cast<std::size_t>(reference.quality)],
-             table(verdicts));
+  fmt::print("{} ({} at {})\n{}", reference.item, reference.scene, word_of(reference.quality), table(verdicts));
   fmt::print("{} of {} metrics hold\n", static_cast<std::ptrdiff_t>(verdicts.size()) - missed, verdicts.size());
   return missed == 0 ? k_success : k_failed_check;
 }

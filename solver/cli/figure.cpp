@@ -70,9 +70,7 @@ void add_figure_commands(CLI::App& app, Action& action) {
 
   for (CLI::App* command : {&figure_command, &table_command}) {
     add_quality_option(*command, arguments->options.quality);
-    command->add_option("--threads", arguments->options.threads, "threads [all cores]; the results do not depend on it")
-        ->type_name("N")
-        ->check(CLI::Range(1, 4096));
+    add_threads_option(*command, arguments->options.threads);
     command->add_flag("--quiet", arguments->options.quiet, "print claims only");
   }
 }

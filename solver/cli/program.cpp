@@ -74,6 +74,12 @@ void add_quality_option(CLI::App& command, Quality& quality) {
       ->check(CLI::IsMember(std::vector<std::string>(names.begin(), names.end())));
 }
 
+void add_threads_option(CLI::App& command, int& threads) {
+  command.add_option("--threads", threads, "threads [all cores]; the results do not depend on it")
+      ->type_name("N")
+      ->check(CLI::Range(1, 4096));
+}
+
 void add_set_option(CLI::App& command, std::vector<std::string>& overrides) {
   command.add_option("--set", overrides, "override any scene key (see `bake explain`); can be repeated")
       ->type_name("KEY=VALUE")

@@ -24,6 +24,9 @@ int run_program(CLI::App& app, const Action& action, int count, char** words);
 /// The option --quality, which fills `quality`.
 void add_quality_option(CLI::App& command, Quality& quality);
 
+/// The option --threads, which fills `threads`; 0: all cores.
+void add_threads_option(CLI::App& command, int& threads);
+
 /// The option --set, which fills `overrides`.
 void add_set_option(CLI::App& command, std::vector<std::string>& overrides);
 

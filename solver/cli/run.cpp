@@ -10,6 +10,7 @@
 
 #include "solver/cli/commands.h"
 #include "solver/cli/scene_files.h"
+#include "solver/scene/describe.h"
 #include "solver/scene/reader.h"
 
 namespace bake::cli {
@@ -50,7 +51,7 @@ std::string refuse_unless_positive(const std::string& text) {
 }  // namespace
 
 std::filesystem::path default_results(const Scene& scene) {
-  const std::string quality = choice_names(scene.quality)[static_cast<std::size_t>(scene.quality)];
+  const std::string quality = word_of(scene.quality);
   return std::filesystem::path("results") / (scene.file.stem().string() + "-" + quality);
 }
 
@@ -64,8 +65,7 @@ void add_run_command(CLI::App& app, Action& action) {
   end->type_name("SECONDS")->check(CLI::Validator(refuse_unless_positive, ""));
   auto* frames = command.add_option("--frames", arguments->options.frames, "end after this many frames");
   frames->type_name("N")->check(CLI::Range(1, 1'000'000'000))->excludes(end);
-  auto* threads = command.add_option("--threads", arguments->options.threads, "threads [all cores]; the results do not depend on it");
-  threads->type_name("N")->check(CLI::Range(1, 4096));
+  add_threads_option(command, arguments->options.threads);
   command.add_option("--precision", arguments->precision, "floating-point numbers, instead of the scene's")
       ->check(CLI::IsMember({"single", "double"}));
   add_set_option(command, arguments->overrides);

@@ -43,8 +43,7 @@ int list_scenes() {
 /// Number, name, status and what it shows of every item of the paper.
 int list_figures() {
   for (const Item& item : read_items(items_root(BAKE_SOURCE_DIR)).items)
-    fmt::print("{:<10} {:<17} {:<14} {}\n", item.number, item.name, choice_names(item.status)[static_cast<std::size_t>(item.status)],
-               item.shows);
+    fmt::print("{:<10} {:<17} {:<14} {}\n", item.number, item.name, word_of(item.status), item.shows);
   return k_success;
 }
 

@@ -9,14 +9,13 @@
 #include <system_error>
 
 #include "solver/io/checksum.h"
+#include "solver/scene/describe.h"
 
 namespace bake {
 namespace {
 
 constexpr std::string_view k_magic = "bake checkpoint ";
 constexpr std::size_t k_piece = 1 << 20;  ///< bytes checked at a time
-
-const char* name_of(Precision precision) { return choice_names(Precision{})[static_cast<std::size_t>(precision)]; }
 
 InputError refused(const std::filesystem::path& path, const std::string& what) {
   return InputError(fmt::format("{}: {}; resume from another checkpoint or start the run anew", path.string(), what));
@@ -89,7 +88,7 @@ CheckpointWriter::CheckpointWriter(const std::filesystem::path& path, std::strin
   out_.group("arrays");
   out_.group("values");
   out_.attribute("/", "fingerprint", fingerprint);
-  out_.attribute("/", "precision", name_of(precision));
+  out_.attribute("/", "precision", word_of(precision));
 }
 
 void CheckpointWriter::commit() {
@@ -105,9 +104,9 @@ CheckpointReader::CheckpointReader(const std::filesystem::path& path) : in_(veri
 
 void CheckpointReader::expect(std::string_view fingerprint, Precision precision) const {
   const auto written = in_.attribute<std::string>("/", "precision");
-  if (written != name_of(precision)) {
+  if (written != word_of(precision)) {
     throw InputError(fmt::format("{}: written in {} precision, the run asks for {}; resume with precision = \"{}\"", in_.path().string(),
-                                 written, name_of(precision), written));
+                                 written, word_of(precision), written));
   }
   if (in_.attribute<std::string>("/", "fingerprint") != fingerprint) throw refused(in_.path(), "belongs to another scene");
 }

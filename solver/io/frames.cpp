@@ -8,6 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "solver/io/vtkhdf.h"
 #include "solver/scene/input_error.h"
 
 namespace bake {
@@ -47,13 +48,7 @@ void write_cell(Hdf5Writer& out, std::size_t particles) {
 }
 
 void write_column(Hdf5Writer& out, const FrameColumn& column) {
-  const auto name = "VTKHDF/PointData/" + column.name;
-  const auto write = [&]<class T>(std::span<const T> values) {
-    if (column.components == 1) return out.array(name, values, Packing::shuffle_gzip);
-    out.table(name, values, column.components, Packing::shuffle_gzip);
-  };
-  std::visit(write, column.values);
-  out.attribute(name, "unit", column.unit);
+  std::visit([&](auto values) { write_vtk_field(out, column.name, column.unit, values, column.components); }, column.values);
 }
 
 }  // namespace
@@ -64,12 +59,8 @@ void write_frame(const std::filesystem::path& path, double time_s, const FrameDa
   check_lengths(frame);
   AtomicFile file(path);
   Hdf5Writer out(file);
-  out.group("VTKHDF/PointData");
-  out.attribute("VTKHDF", "Version", std::array<std::int64_t, 2>{1, 0});
-  out.attribute("VTKHDF", "Type", "UnstructuredGrid");
-  out.attribute("VTKHDF", "time_s", time_s);
-  out.table("VTKHDF/Points", frame.positions, 3, Packing::shuffle_gzip);
-  out.attribute("VTKHDF/Points", "unit", "m");
+  write_vtk_head(out, time_s);
+  write_vtk_points(out, frame.positions);
   write_cell(out, frame.positions.size() / 3);
   for (const auto& column : frame.columns) write_column(out, column);
   out.close();

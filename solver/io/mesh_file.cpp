@@ -7,7 +7,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "solver/io/hdf5.h"
+#include "solver/io/vtkhdf.h"
 #include "solver/scene/input_error.h"
 
 namespace bake {
@@ -24,21 +24,10 @@ void check_lengths(const Mesh& mesh) {
                                               field.values.size(), mesh.vertex_count(), field.components));
 }
 
-template <Hdf5Number T>
-void write_values(Hdf5Writer& out, const std::string& name, std::span<const T> values, std::size_t components) {
-  if (components == 1) return out.array(name, values, Packing::shuffle_gzip);
-  out.table(name, values, components, Packing::shuffle_gzip);
-}
-
 void write_field(Hdf5Writer& out, const MeshField& field) {
-  const std::string name = "VTKHDF/PointData/" + field.name;
-  if (field.name == "volume") {
-    write_values<double>(out, name, field.values, field.components);
-  } else {
-    const std::vector<float> values(field.values.begin(), field.values.end());
-    write_values<float>(out, name, values, field.components);
-  }
-  out.attribute(name, "unit", field.unit);
+  if (field.name == "volume") return write_vtk_field<double>(out, field.name, field.unit, field.values, field.components);
+  const std::vector<float> values(field.values.begin(), field.values.end());
+  write_vtk_field<float>(out, field.name, field.unit, values, field.components);
 }
 
 void check_cells(const std::filesystem::path& path, const Mesh& mesh) {
@@ -51,21 +40,25 @@ void check_cells(const std::filesystem::path& path, const Mesh& mesh) {
 
 }  // namespace
 
-const MeshField* Mesh::find(std::string_view name) const {
+const MeshField* find_field(const std::vector<MeshField>& fields, std::string_view name) {
   const auto found = std::find_if(fields.begin(), fields.end(), [&](const MeshField& field) { return field.name == name; });
   return found == fields.end() ? nullptr : &*found;
+}
+
+MeshField read_field(const Hdf5Reader& file, const std::string& name) {
+  const std::string dataset = std::string(k_vtk_fields) + "/" + name;
+  const auto shape = file.shape(dataset);
+  const std::size_t components = shape.size() == 1 ? 1 : shape.at(1);
+  return {name, file.has_attribute(dataset, "unit") ? file.attribute<std::string>(dataset, "unit") : std::string(), components,
+          shape.size() == 1 ? file.array<double>(dataset) : file.table<double>(dataset, components)};
 }
 
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
   check_lengths(mesh);
   AtomicFile file(path);
   Hdf5Writer out(file);
-  out.group("VTKHDF/PointData");
-  out.attribute("VTKHDF", "Version", std::array<std::int64_t, 2>{1, 0});
-  out.attribute("VTKHDF", "Type", "UnstructuredGrid");
-  out.attribute("VTKHDF", "time_s", mesh.time_s);
-  out.table<double>("VTKHDF/Points", mesh.points, 3, Packing::shuffle_gzip);
-  out.attribute("VTKHDF/Points", "unit", "m");
+  write_vtk_head(out, mesh.time_s);
+  write_vtk_points<double>(out, mesh.points);
 
   std::vector<std::int64_t> offsets(mesh.cell_count() + 1);
   for (std::size_t c = 0; c < offsets.size(); ++c) offsets[c] = static_cast<std::int64_t>(c * mesh.corners);
@@ -97,14 +90,12 @@ Mesh read_mesh(const std::filesystem::path& path) {
     throw InputError(fmt::format("{}: Connectivity: found {} corners for {} cells", path.string(), mesh.cells.size(), types.size()));
   check_cells(path, mesh);
   if (file.has_attribute("VTKHDF", "time_s")) mesh.time_s = file.attribute<double>("VTKHDF", "time_s");
-  for (const std::string& name : file.names("VTKHDF/PointData")) {
-    const std::string dataset = "VTKHDF/PointData/" + name;
-    const auto shape = file.shape(dataset);
-    if (shape.at(0) != mesh.vertex_count())
-      throw InputError(fmt::format("{}: {}: found {} rows for {} vertices", path.string(), name, shape[0], mesh.vertex_count()));
-    const std::size_t components = shape.size() == 1 ? 1 : shape[1];
-    mesh.fields.push_back({name, file.has_attribute(dataset, "unit") ? file.attribute<std::string>(dataset, "unit") : std::string(),
-                           components, shape.size() == 1 ? file.array<double>(dataset) : file.table<double>(dataset, components)});
+  for (const std::string& name : file.names(k_vtk_fields)) {
+    mesh.fields.push_back(read_field(file, name));
+    const MeshField& field = mesh.fields.back();
+    if (field.values.size() != field.components * mesh.vertex_count())
+      throw InputError(fmt::format("{}: {}: found {} rows for {} vertices", path.string(), name, field.values.size() / field.components,
+                                   mesh.vertex_count()));
   }
   return mesh;
 }

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/io/hdf5.h"
+
 namespace bake {
 
 /// A quantity at the vertices: `components` numbers each.
@@ -21,6 +23,9 @@ struct MeshField {
   std::vector<double> values;
 };
 
+/// The field of that name, or nullptr.
+const MeshField* find_field(const std::vector<MeshField>& fields, std::string_view name);
+
 struct Mesh {
   std::size_t corners = 3;          ///< of a cell: 3 triangles, 4 tetrahedra
   std::vector<double> points;       ///< x, y, z of each vertex [m]
@@ -30,8 +35,7 @@ struct Mesh {
 
   std::size_t vertex_count() const { return points.size() / 3; }
   std::size_t cell_count() const { return cells.size() / corners; }
-  /// The field of that name, or nullptr.
-  const MeshField* find(std::string_view name) const;
+  const MeshField* find(std::string_view name) const { return find_field(fields, name); }
 };
 
 /// Writes the mesh whole or not at all. Points are stored in double precision. Throws OutputError, and std::invalid_argument if
@@ -40,5 +44,8 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
 
 /// Throws InputError: missing or damaged file, no mesh, cells of mixed or other kinds, a corner that is no vertex, a wrong length.
 Mesh read_mesh(const std::filesystem::path& path);
+
+/// A field at the points of a mesh or of a frame. Throws InputError.
+MeshField read_field(const Hdf5Reader& file, const std::string& name);
 
 }  // namespace bake

@@ -34,9 +34,9 @@ int stderr_width() {
   return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
-double steady_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
-
 }  // namespace
+
+double steady_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 ProgressOutput progress_on_stderr(bool quiet) {
   const auto style = quiet ? ProgressStyle::quiet : isatty(STDERR_FILENO) ? ProgressStyle::bar : ProgressStyle::lines;

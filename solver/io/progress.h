@@ -36,6 +36,9 @@ struct ProgressOutput {
   std::function<int()> width;       ///< of the terminal, in characters
 };
 
+/// A clock that never runs backwards.
+double steady_seconds();
+
 /// Standard error: a bar if it is a terminal, lines if not, nothing if `quiet`.
 ProgressOutput progress_on_stderr(bool quiet);
 

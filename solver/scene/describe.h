@@ -60,6 +60,12 @@ std::vector<std::string> names_of() {
   return {names.begin(), names.end()};
 }
 
+/// The name of one of them: "apic".
+template <Choice E>
+const char* word_of(E choice) {
+  return choice_names(choice)[static_cast<std::size_t>(choice)];
+}
+
 /// What a user reads when a value of type T is refused or explained.
 template <class T>
 std::string allowed(const Range& range) {

@@ -102,6 +102,13 @@ std::vector<SceneEntry> SceneEntry::elements() const {
   return entries;
 }
 
+std::vector<SceneEntry> SceneEntry::tables(std::string_view key) const {
+  const auto list = find(key);
+  if (!list) return {};
+  if (!list->node().is_array()) list->refuse(fmt::format("tables under [[{}]]", key));
+  return list->elements();
+}
+
 SceneEntry SceneEntry::renamed(std::string_view last_part) const {
   SceneEntry other = *this;
   other.name_ = fmt::format("{}.{}", name_.substr(0, name_.rfind('.')), quotable(last_part));
@@ -111,6 +118,8 @@ SceneEntry SceneEntry::renamed(std::string_view last_part) const {
 void SceneEntry::complain(std::string_view problem) const {
   throw InputError(name_.empty() ? fmt::format("{}: {}", place_, problem) : fmt::format("{}: {}: {}", place_, name_, problem));
 }
+
+void SceneEntry::complain_at(std::string_view key, std::string_view problem) const { find(key).value_or(*this).complain(problem); }
 
 void SceneEntry::refuse(std::string_view allowed) const { complain(fmt::format("found {}, allowed: {}", describe(*node_), allowed)); }
 

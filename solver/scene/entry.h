@@ -33,11 +33,15 @@ class SceneEntry {
   SceneEntry absent_table(std::string_view key) const;
   /// The members of this array. This entry must be an array.
   std::vector<SceneEntry> elements() const;
+  /// The tables [[key]] of this table; none if it has no such key. Throws InputError if that is something else than a list.
+  std::vector<SceneEntry> tables(std::string_view key) const;
   /// The same place under another name: `material.dough` instead of `material.0`.
   SceneEntry renamed(std::string_view last_part) const;
 
   // Each of these throws an InputError of one line that begins with the place.
   [[noreturn]] void complain(std::string_view problem) const;
+  /// Complains about the member of this table, or about this table if it is not there.
+  [[noreturn]] void complain_at(std::string_view key, std::string_view problem) const;
   [[noreturn]] void refuse(std::string_view allowed) const;  ///< "found <this value>, allowed: ..."
   [[noreturn]] void refuse_missing(std::string_view key, std::string_view allowed) const;
   /// Complains about the first member of this table that is none of `known`.

@@ -92,10 +92,7 @@ SceneEntry named(const SceneEntry& entry) {
 
 template <class T>
 void read_section(const SceneEntry& root, const Section<std::vector<T>>& section, Scene& scene) {
-  const auto list = root.find(section.name);
-  if (!list) return;
-  if (!list->node().is_array()) list->refuse(fmt::format("tables under [[{}]]", section.name));
-  for (const SceneEntry& element : list->elements()) {
+  for (const SceneEntry& element : root.tables(section.name)) {
     const SceneEntry entry = named(element);
     T member = read_list_member<T>(entry, scene);
     check(entry, member, scene);

@@ -126,13 +126,7 @@ shape = {{ box = {{ centre_m = [0.5, 0.5, 0.5], half_extents_m = [{1:.17g}, {1:.
   s->set_force([=](const Point& x, const Vector3& v, double time, double dt) {
     return held && !in_cube(x) ? velocity(x, time + dt / 2) : v + dt * body_force(x, time);
   });
-  const Snapshot first = s->snapshot();
-  run_to(*s, t);
-  const Snapshot now = s->snapshot();
-  std::vector<double> off;
-  for (std::size_t p = 0; p < now.id.size(); ++p)
-    if (in_cube(first.position[p])) off.push_back(length(now.position[p] - position(first.position[p], t)) / A);
-  return root_mean_square(off);
+  return place_error(*s, t, in_cube, position) / A;
 }
 
 }  // namespace

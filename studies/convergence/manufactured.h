@@ -3,9 +3,16 @@
 // take them. Units in which rho_0 = E = 1, with nu = 0.3.
 #pragma once
 
+#include <functional>
+
+#include "solver/baker/simulation.h"
 #include "solver/boundary/shape.h"
 
 namespace bake::studies {
+
+/// Runs until `t`. How far those particles then are from position(X, t) that started at an X that `counts`: rms, in metres.
+double place_error(Simulation& simulation, double t, const std::function<bool(const Point&)>& counts,
+                   Point (*position)(const Point& X, double t));
 
 namespace elastic {
 inline constexpr double nu = 0.3, lambda = nu / ((1 + nu) * (1 - 2 * nu)), mu = 1 / (2 * (1 + nu));

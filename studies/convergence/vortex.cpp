@@ -107,13 +107,7 @@ shape = {{ difference = [
     const bool given = time == 0 || (held && !in_annulus(x));  // in the first step the velocity that the rings start with
     return given ? velocity(x, time + dt / 2) : v + dt * body_force(x, time);
   });
-  const Snapshot first = s->snapshot();
-  run_to(*s, t);
-  const Snapshot now = s->snapshot();
-  std::vector<double> off;
-  for (std::size_t p = 0; p < now.id.size(); ++p)
-    if (in_annulus(first.position[p])) off.push_back(length(now.position[p] - position(first.position[p], t)) / A);
-  return root_mean_square(off);
+  return place_error(*s, t, in_annulus, position) / A;
 }
 
 }  // namespace

@@ -6,13 +6,12 @@
 
 #include <cmath>
 
+#include "solver/scene/describe.h"
 #include "solver/scene/reader.h"
 
 namespace bake::bench {
 
 namespace {
-
-const char* word(Precision precision) { return choice_names(precision)[static_cast<std::size_t>(precision)]; }
 
 // The dough of fig. 15 under the gravity of experiments/fig15_bread, baked from 30 C on the same grid whatever its size, with a
 // fifth of that dough's yield stress: after the few steps before the clock starts most particles flow, as in most of a bake. With all
@@ -105,7 +104,7 @@ Scene loaf(const Combination& combination, Precision precision, double particles
   constexpr double length = 5, width = 3, height = 3;  // half an ellipsoid, times `scale`
   const double scale = std::cbrt(particles / per_cell * dx * dx * dx / (2 * k_pi / 3 * length * width * height));
   return parse_scene(
-      fmt::format(k_loaf, fmt::arg("effects", fmt::join(combination.effects, "\", \"")), fmt::arg("precision", word(precision)),
+      fmt::format(k_loaf, fmt::arg("effects", fmt::join(combination.effects, "\", \"")), fmt::arg("precision", word_of(precision)),
                   fmt::arg("transfer", combination.flip ? "flip" : "apic"), fmt::arg("length", length * scale),
                   fmt::arg("width", width * scale), fmt::arg("height", height * scale), fmt::arg("size", 1.3 * length * scale)),
       "loaf.toml");
@@ -113,8 +112,9 @@ Scene loaf(const Combination& combination, Precision precision, double particles
 
 Scene elastic_block(Precision precision, int cells) {
   const double side = 0.01 * cells;
-  return parse_scene(fmt::format(k_block, fmt::arg("precision", word(precision)), fmt::arg("far", side + 0.08), fmt::arg("half", side / 2)),
-                     "block.toml");
+  return parse_scene(
+      fmt::format(k_block, fmt::arg("precision", word_of(precision)), fmt::arg("far", side + 0.08), fmt::arg("half", side / 2)),
+      "block.toml");
 }
 
 }  // namespace bake::bench

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "solver/baker/simulation.h"
+#include "solver/scene/describe.h"
 #include "tests/bench/flops.h"
 #include "tests/bench/flowing.h"
 #include "tests/bench/scenes.h"
@@ -102,13 +103,13 @@ void add(const Subject& subject, const Limits& limits, const std::vector<int>& t
 std::string size_word(int thousands) { return thousands < 1000 ? fmt::format("{}K", thousands) : fmt::format("{}M", thousands / 1000); }
 
 Subject loaf_subject(const Combination& combination, Precision precision, int thousands) {
-  return {fmt::format("{}/{}/{}", combination.name, choice_names(precision)[static_cast<std::size_t>(precision)], size_word(thousands)),
-          precision, [=] { return loaf(combination, precision, 1e3 * thousands); }, 40, std::clamp(10'000 / thousands, 5, 50)};
+  return {fmt::format("{}/{}/{}", combination.name, word_of(precision), size_word(thousands)), precision,
+          [=] { return loaf(combination, precision, 1e3 * thousands); }, 40, std::clamp(10'000 / thousands, 5, 50)};
 }
 
 Subject block_subject(Precision precision, int cells) {
-  return {fmt::format("block/{}/{}^3", choice_names(precision)[static_cast<std::size_t>(precision)], cells), precision,
-          [=] { return elastic_block(precision, cells); }, 2, cells < 50 ? 50 : 4};
+  return {fmt::format("block/{}/{}^3", word_of(precision), cells), precision, [=] { return elastic_block(precision, cells); }, 2,
+          cells < 50 ? 50 : 4};
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/scene/describe.h"
+
 namespace bake {
 namespace {
 
@@ -28,7 +30,7 @@ TEST(ColourMaps, SequentialOnesGetSteadilyLighter) {
     float last = -1;
     for (int i = 0; i <= 256; ++i) {
       const float now = lightness(map_colour(map, static_cast<float>(i) / 256));
-      EXPECT_GT(now, last) << choice_names(map)[static_cast<std::size_t>(map)] << " at " << i;
+      EXPECT_GT(now, last) << word_of(map) << " at " << i;
       last = now;
     }
   }
@@ -41,7 +43,7 @@ TEST(ColourMaps, SequentialOnesAreEven) {
     for (int i = 0; i < 16; ++i) {
       const float step =
           lightness(map_colour(map, static_cast<float>(i + 1) / 16)) - lightness(map_colour(map, static_cast<float>(i) / 16));
-      EXPECT_LT(step, 2 * whole / 16) << choice_names(map)[static_cast<std::size_t>(map)] << " at " << i;
+      EXPECT_LT(step, 2 * whole / 16) << word_of(map) << " at " << i;
     }
   }
 }

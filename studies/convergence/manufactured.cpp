@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "studies/convergence/manufactured.h"
+
+#include "studies/convergence/bar.h"
+#include "studies/setting.h"
+
+namespace bake::studies {
+
+double place_error(Simulation& simulation, double t, const std::function<bool(const Point&)>& counts,
+                   Point (*position)(const Point& X, double t)) {
+  const Snapshot first = simulation.snapshot();
+  run_to(simulation, t);
+  const Snapshot now = simulation.snapshot();
+  std::vector<double> off;
+  for (std::size_t p = 0; p < now.id.size(); ++p)
+    if (counts(first.position[p])) off.push_back(length(now.position[p] - position(first.position[p], t)));
+  return root_mean_square(off);
+}
+
+}  // namespace bake::studies
