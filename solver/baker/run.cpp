@@ -13,6 +13,7 @@
 #include "solver/io/progress.h"
 #include "solver/io/provenance.h"
 #include "solver/scene/describe.h"
+#include "solver/scene/doubts.h"
 #include "solver/scene/resolved.h"
 
 namespace bake {
@@ -237,6 +238,7 @@ std::string describe_scene(const Scene& scene) {
                         n > 0 ? static_cast<double>(simulation->bytes()) / n : 0, steps,
                         speed > 0 ? clock_text(n * steps / speed) : "no time at all");
   }
+  for (const std::string& doubt : doubts_about(scene)) text += fmt::format("  warning      {}\n", doubt);
   return text + "  (steps from the first step's length; time from a trial of 20 steps at draft on this machine)";
 }
 

@@ -124,6 +124,19 @@ TEST(CommandLine, QuestionsAreAnswered) {
   expect_success(place, "run --help", "--resume");
 }
 
+TEST(CommandLine, InfoWarnsOfAnEffectThatAMaterialNamesAndTheSceneDoesNotList) {
+  const Workplace place;
+  const auto warnings = [&](const std::string& scene) {
+    return place.bake("info " + scene).out.find("\n  warning      ") != std::string::npos;
+  };
+  EXPECT_FALSE(warnings("dough"));
+  std::string text = contents(place.folder() / "experiments/fig01_dough/dough.toml");
+  const std::string key = "poisson_ratio = 0.3\n";
+  place.write("warm.toml", text.replace(text.find(key), key.size(), "conductivity_W_per_mK = 1\n"));
+  EXPECT_TRUE(warnings("warm.toml"));
+  expect_success(place, "info warm.toml", "material.dough.conductivity_W_per_mK is given, but effects does not list heat");
+}
+
 TEST(CommandLine, AnInvalidSceneIsListedAsSuch) {
   const Workplace place;
   place.write("experiments/fig02_bad/bad.toml", "title = 3\n");

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# An effect that a scene does not list costs nothing: some combinations of effects are compiled once more from sources in which the
+# files of the effects left out say what a scene may ask of them and what they are called, but can do nothing. The machine code must
+# be the same, byte for byte; hence speed and results are those of a program that never had these effects.
+# Usage: off_is_free.sh <source folder> <build folder>
+set -euo pipefail
+
+root=$1 build=$2
+sandbox=$(mktemp -d)
+trap 'rm -rf "$sandbox"' EXIT
+failures=0
+
+# The command that compiles a composition, from the database that CMake writes.
+command_of() { # <file name of the source>
+  sed -n "s|^ *\"command\": \"\(.*/generated/$1\)\",\$|\1|p" "$build/compile_commands.json" | sed 's/\\"/"/g'
+}
+
+# Copies the sources; in the named effects all that follows the settings and the material goes.
+sources_without() { # <effect>...
+  local effect
+  rm -rf "$sandbox/without"
+  mkdir -p "$sandbox/without"
+  cp -r "$root/solver" "$sandbox/without/"
+  for effect in "$@"; do
+    awk '/^  using Columns/ { print "  template <class Real>\n  struct Constants;\n  template <class... Any>\n  static void fill(Any&&...);"; gone = 1 }
+         /^};/ { gone = 0 }
+         !gone' "$root/solver/effects/$effect.h" >"$sandbox/without/solver/effects/$effect.h"
+    if cmp -s "$root/solver/effects/$effect.h" "$sandbox/without/solver/effects/$effect.h"; then
+      echo "nothing could be taken out of $effect.h" >&2
+      exit 2
+    fi
+  done
+}
+
+# Compiles a composition from the sources of a folder, without the precompiled header, which is made of the true ones.
+compile() { # <composition> <source folder> <object>
+  local command
+  command=$(command_of "model_$1_float.cpp" | sed -E "s| -Winvalid-pch -include [^ ]+||; s| -o [^ ]+ | -o $3 |; s|-I$root |-I$2 |")
+  [[ -n $command ]] || { echo "no command for composition $1" >&2; exit 2; }
+  (cd "$build" && eval "$command")
+}
+
+expect_same() { # <composition> <effects left out>...
+  sources_without "${@:2}"
+  if ! compile "$1" "$sandbox/without" "$sandbox/without.o" || ! cmp "$(find "$build/solver" -name "model_$1_float.cpp.o")" "$sandbox/without.o"; then
+    echo "composition $1 is not the same without ${*:2}" >&2
+    failures=$((failures + 1))
+  fi
+}
+
+# Numbers as in solver/effects/model_list.h.
+expect_same 3 heat water plasticity leavening free_surface flip  # motion, elasticity
+expect_same 10 leavening flip                                    # motion, heat, water, elasticity, plasticity
+
+# The test itself: an effect that is listed cannot be taken away.
+sources_without plasticity
+if compile 7 "$sandbox/without" "$sandbox/broken.o" 2>/dev/null; then
+  echo "plasticity was taken away from a composition that lists it, and nobody noticed" >&2
+  failures=$((failures + 1))
+fi
+exit $((failures > 0))
