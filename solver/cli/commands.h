@@ -17,7 +17,8 @@ void add_check_commands(CLI::App& app, Action& action);   ///< check, bless
 void add_figure_commands(CLI::App& app, Action& action);  ///< figure, table
 void add_report_command(CLI::App& app, Action& action);
 void add_study_command(CLI::App& app, Action& action);
-void add_compare_command(CLI::App& app, Action& action);  ///< compare-textbook
+void add_compare_textbook_command(CLI::App& app, Action& action);
+void add_compare_command(CLI::App& app, Action& action);  ///< compare: benchmarks
 void add_help_commands(CLI::App& app, Action& action);    ///< explain, version
 
 /// "bake 0.1.0" and the commit it was built from.

@@ -58,7 +58,7 @@ int compare(const CompareArguments& arguments) {
 
 }  // namespace
 
-void add_compare_command(CLI::App& app, Action& action) {
+void add_compare_textbook_command(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<CompareArguments>();
   CLI::App& command = *app.add_subcommand("compare-textbook", "Run a scene beside the plain reference implementation, in double precision");
   command.add_option("scene", arguments->scene, "name (see `bake list`) or path of a .toml file")->required();

@@ -11,11 +11,12 @@ int main(int count, char** words) {
   Action action;
   add_run_command(app, action);
   add_scene_commands(app, action);
-  add_compare_command(app, action);
+  add_compare_textbook_command(app, action);
   add_check_commands(app, action);
   add_figure_commands(app, action);
   add_report_command(app, action);
   add_study_command(app, action);
+  add_compare_command(app, action);
   add_help_commands(app, action);
   app.footer("Through the script ./bake there are also the commands test, bench, mesh and render, and --no-install.");
   return run_program(app, action, count, words);
