@@ -12,6 +12,7 @@
 #include "solver/effects/heat.h"
 #include "solver/effects/leavening.h"
 #include "solver/effects/motion.h"
+#include "solver/effects/moving_water.h"
 #include "solver/effects/physics.h"
 #include "solver/effects/plasticity.h"
 #include "solver/effects/water.h"
@@ -28,21 +29,21 @@ using Compositions = std::tuple<
     Composition<FreeSurface, Water>,        //
     Composition<FreeSurface, Heat, Water>,  //
     // elastic
-    Composition<Motion, Elasticity>,                            //
-    Composition<Motion, FreeSurface, Heat, Elasticity>,         //
-    Composition<Motion, FreeSurface, Water, Elasticity>,        //
-    Composition<Motion, FreeSurface, Heat, Water, Elasticity>,  //
+    Composition<Motion, Elasticity>,                                         //
+    Composition<Motion, FreeSurface, Heat, Elasticity>,                      //
+    Composition<Motion, FreeSurface, Water, MovingWater, Elasticity>,        //
+    Composition<Motion, FreeSurface, Heat, Water, MovingWater, Elasticity>,  //
     // dough
-    Composition<Motion, Elasticity, Plasticity>,                                       //
-    Composition<Motion, FreeSurface, Heat, Elasticity, Plasticity>,                    //
-    Composition<Motion, FreeSurface, Water, Elasticity, Plasticity>,                   //
-    Composition<Motion, FreeSurface, Heat, Water, Elasticity, Plasticity>,             //
-    Composition<Motion, FreeSurface, Heat, Elasticity, Plasticity, Leavening>,         //
-    Composition<Motion, FreeSurface, Heat, Water, Elasticity, Plasticity, Leavening>,  //
+    Composition<Motion, Elasticity, Plasticity>,                                                    //
+    Composition<Motion, FreeSurface, Heat, Elasticity, Plasticity>,                                 //
+    Composition<Motion, FreeSurface, Water, MovingWater, Elasticity, Plasticity>,                   //
+    Composition<Motion, FreeSurface, Heat, Water, MovingWater, Elasticity, Plasticity>,             //
+    Composition<Motion, FreeSurface, Heat, Elasticity, Plasticity, Leavening>,                      //
+    Composition<Motion, FreeSurface, Heat, Water, MovingWater, Elasticity, Plasticity, Leavening>,  //
     // with FLIP, for studies of transfers
     Composition<Motion, FlipMemory, Elasticity>,              //
     Composition<Motion, FlipMemory, Elasticity, Plasticity>,  //
-    Composition<Motion, FlipMemory, FreeSurface, Heat, Water, Elasticity, Plasticity, Leavening>>;
+    Composition<Motion, FlipMemory, FreeSurface, Heat, Water, MovingWater, Elasticity, Plasticity, Leavening>>;
 inline constexpr int k_compositions = std::tuple_size_v<Compositions>;
 
 /// Makes composition number `index`; each is compiled in a file of its own.

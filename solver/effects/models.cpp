@@ -10,19 +10,26 @@ namespace {
 
 static_assert(k_compositions == BAKE_MODELS, "BAKE_MODELS in solver/CMakeLists.txt must be the length of Compositions");
 
+template <class Effect, class... Effects>
+constexpr bool in(Composition<Effects...>) {
+  return (std::is_same_v<Effects, Effect> || ...);
+}
+
+static_assert(std::apply([](auto... c) { return ((in<MovingWater>(c) == (in<Motion>(c) && in<Water>(c))) && ...); }, Compositions{}),
+              "water moves with its solid in just the compositions with motion and water");
+
 /// Has the composition exactly the effects that the scene lists? What is no effect of its own follows from the scene.
 template <class... Effects>
-bool fits(Composition<Effects...>, const Scene& scene) {
+bool fits(Composition<Effects...> composition, const Scene& scene) {
   std::size_t found = 0;
   const auto one = [&](std::string_view name) {
-    if (name == FreeSurface::name) return true;
+    if (name == FreeSurface::name || name == MovingWater::name) return true;
     if (name == FlipMemory::name) return scene.of<Motion>().transfer == Motion::Transfer::flip;
     ++found;
     return scene.lists(name);
   };
   const bool flip = scene.lists(Motion::name) && scene.of<Motion>().transfer == Motion::Transfer::flip;
-  const bool remembers = (std::is_same_v<Effects, FlipMemory> || ...);
-  return (one(Effects::name) && ...) && found == scene.effects.size() && flip == remembers;
+  return (one(Effects::name) && ...) && found == scene.effects.size() && flip == in<FlipMemory>(composition);
 }
 
 template <class Real, int... I>
@@ -36,7 +43,8 @@ template <class... Effects>
 std::string words(Composition<Effects...>) {
   std::string text;
   const auto one = [&](std::string_view name) {
-    if (name != FreeSurface::name) text += (text.empty() ? "" : "+") + std::string(name == FlipMemory::name ? "flip" : name);
+    if (name == FreeSurface::name || name == MovingWater::name) return;
+    text += (text.empty() ? "" : "+") + std::string(name == FlipMemory::name ? "flip" : name);
   };
   (one(Effects::name), ...);
   return text;

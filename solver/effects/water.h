@@ -46,8 +46,8 @@ struct Water {
     }
   };
 
-  using Columns = FieldList<field::WaterMass, field::ScatteredWaterMomentum>;
-  using Carried = FieldList<field::WaterFlux, field::WaterMomentum>;
+  using Columns = FieldList<field::WaterMass>;
+  using Carried = FieldList<field::WaterFlux>;
   using Moments = FieldList<channel::WaterChange>;
   using Values = FieldList<channel::WaterMass, channel::WaterCapacity, channel::Evaporability>;
   using Gathered = FieldList<channel::WaterRatio, channel::Saturation>;
@@ -55,7 +55,6 @@ struct Water {
   template <class Real>
   struct Constants {
     Real rho_w, K, beta_w, c_hat, s_0, heat, inertia;
-    bool published;
     template <class Scene, class Substance>
     Constants(const Scene& scene, const Substance& substance) : s_0(static_cast<Real>(substance.initial_saturation)) {
       const auto& m = std::get<Material>(substance.effects);
@@ -65,7 +64,6 @@ struct Water {
       c_hat = static_cast<Real>(m.pressure_Pa);
       heat = static_cast<Real>(std::get<Heat::Settings>(scene.settings).water_specific_heat_J_per_kgK);
       inertia = static_cast<Real>(std::get<Motion::Settings>(scene.settings).inertia_scale);
-      published = std::get<Settings>(scene.settings).form == Form::published;
     }
   };
 
@@ -89,10 +87,7 @@ struct Water {
       for (int d = 0; d < 3; ++d)
         report.book(static_cast<Entry>(static_cast<int>(Entry::remapped_x) + d), k.inertia * gained * p[field::v][d]);
     const auto flux = (-k.K) * warmth(p) * p[field::m_w] / p.volume();
-    for (int d = 0; d < 3; ++d) {
-      p[field::q][d] = flux * from.gradient(channel::saturation, 0, d);
-      p[field::Q][d] = p.volume() * p[field::q][d];
-    }
+    for (int d = 0; d < 3; ++d) p[field::q][d] = flux * from.gradient(channel::saturation, 0, d);
   }
 
   /// - J c_hat (s - s_0) I   [Ding19 Eq. 14]
@@ -105,9 +100,7 @@ struct Water {
     }
   }
 
-  /// Flux V D^-1 w (r . q); the momentum that it carries, V (v_w (x) q) D^-1 w r; and the change of the water's own
-  /// momentum, so that the sum of m v + V q is kept.   [Ding19 Eq. 25, 27]
-  /// DEPARTS [Ding19 Eq. 25, 27]: no div v terms: as printed they take water and bulk velocity out of a body that expands.
+  /// Flux V D^-1 w (r . q).   [Ding19 Eq. 25]
   template <class P, class To, class K, class S, class R>
   BAKE_INLINE static void scatter(P& p, To& to, const K& k, const S& step, R&) {
     const auto moment = (step.dt_next * step.inverse_d) * p.volume();
@@ -115,22 +108,6 @@ struct Water {
     to.value(channel::water_capacity) += k.rho_w * p.volume();
     to.value(channel::evaporability) += k.beta_w * warmth(p) * p.volume();
     for (int j = 0; j < 3; ++j) to.moment(channel::water_change, 0, j) += moment * p[field::q][j];
-    if constexpr (P::template has<field::Velocity>) {
-      const auto per_water = p.volume() / max(p[field::m_w], 0 * p[field::m_w] + std::numeric_limits<typename P::Real>::min());
-      for (int i = 0; i < 3; ++i) {
-        const auto v_w = p[field::v][i] + per_water * p[field::q][i];
-        for (int j = 0; j < 3; ++j) to.moment(channel::momentum, i, j) += k.inertia * moment * v_w * p[field::q][j];
-        to.value(channel::momentum, i) -= k.inertia * (p[field::Q][i] - p[field::Q_old][i]);
-      }
-      if (k.published) {
-        const auto div = step.dt_next * (p[field::C][0] + p[field::C][4] + p[field::C][8]);
-        to.value(channel::water_change) -= p[field::m_w] * div;
-        if constexpr (P::template has<field::Temperature>)  // with its heat
-          to.value(channel::heat_change) -= k.heat * p[field::theta] * p[field::m_w] * div;
-        for (int i = 0; i < 3; ++i) to.value(channel::momentum, i) -= k.inertia * (p.mass() * p[field::v][i] + p[field::Q][i]) * div;
-      }
-    }
-    for (int i = 0; i < 3; ++i) p[field::Q_old][i] = p[field::Q][i];
   }
 
   template <class P, class K, class S, class R>

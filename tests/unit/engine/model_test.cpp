@@ -14,14 +14,14 @@ struct Cost {
   int columns, scattered, gathered;
 };
 
-// By hand. Particle: position 3, identity, volume, mass = 6; motion J = 1; FLIP velocity 3; heat theta and peak = 2; water m_w and
-// its last momentum 3 = 4; elasticity b_E = 6; plasticity J_P = 1; leavening nu and c = 2. Node, scattered: momentum 3 and
-// mass = 4; FLIP 3; volume 1 with heat or water; heat capacity, content, change = 3; water mass, capacity, change,
+// By hand. Particle: position 3, identity, volume, mass = 6; motion J = 1; FLIP velocity 3; heat theta and peak = 2; water m_w = 1
+// and, where its solid moves, its last momentum 3; elasticity b_E = 6; plasticity J_P = 1; leavening nu and c = 2. Node, scattered:
+// momentum 3 and mass = 4; FLIP 3; volume 1 with heat or water; heat capacity, content, change = 3; water mass, capacity, change,
 // evaporability = 4. Gathered: velocity 3; FLIP 3; heat 2; water 2.
 constexpr Cost k_costs[] = {
     {"heat", "", 8, 4, 2},
-    {"water", "", 10, 5, 2},
-    {"heat, water", "", 12, 8, 4},
+    {"water", "", 7, 5, 2},
+    {"heat, water", "", 9, 8, 4},
     {"motion, elasticity", "", 13, 4, 3},
     {"motion, heat, elasticity", "", 15, 8, 5},
     {"motion, water, elasticity", "", 17, 9, 5},

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// What water adds where its solid moves: the momentum that it carries through the solid. [Ding19 Eq. 25, 27]
+#pragma once
+
+#include "solver/effects/water.h"
+
+namespace bake {
+
+/// Part of every model with motion and water.
+struct MovingWater {
+  static constexpr const char* name = "moving water";
+  using Columns = FieldList<field::ScatteredWaterMomentum>;
+  using Carried = FieldList<field::WaterMomentum>;
+  using Moments = FieldList<>;
+  using Values = FieldList<>;
+  using Gathered = FieldList<>;
+
+  template <class Real>
+  struct Constants {
+    Real heat, inertia;
+    bool published;
+    template <class Scene, class Substance>
+    Constants(const Scene& scene, const Substance&) {
+      heat = static_cast<Real>(std::get<Heat::Settings>(scene.settings).water_specific_heat_J_per_kgK);
+      inertia = static_cast<Real>(std::get<Motion::Settings>(scene.settings).inertia_scale);
+      published = std::get<Water::Settings>(scene.settings).form == Form::published;
+    }
+  };
+
+  /// Q = V q, momentum of the water relative to its solid.
+  template <class P, class From, class K, class S, class R>
+  BAKE_INLINE static void gather(P& p, const From&, const K&, const S&, R&) {
+    for (int d = 0; d < 3; ++d) p[field::Q][d] = p.volume() * p[field::q][d];
+  }
+
+  /// The momentum that the flux carries, V (v_w (x) q) D^-1 w r; and the change of the water's own momentum, so that the sum of
+  /// m v + V q is kept.
+  /// DEPARTS [Ding19 Eq. 25, 27]: no div v terms: as printed they take water and bulk velocity out of a body that expands.
+  template <class P, class To, class K, class S, class R>
+  BAKE_INLINE static void scatter(P& p, To& to, const K& k, const S& step, R&) {
+    const auto moment = (step.dt_next * step.inverse_d) * p.volume();
+    const auto per_water = p.volume() / max(p[field::m_w], 0 * p[field::m_w] + std::numeric_limits<typename P::Real>::min());
+    for (int i = 0; i < 3; ++i) {
+      const auto v_w = p[field::v][i] + per_water * p[field::q][i];
+      for (int j = 0; j < 3; ++j) to.moment(channel::momentum, i, j) += k.inertia * moment * v_w * p[field::q][j];
+      to.value(channel::momentum, i) -= k.inertia * (p[field::Q][i] - p[field::Q_old][i]);
+    }
+    if (k.published) {
+      const auto div = step.dt_next * (p[field::C][0] + p[field::C][4] + p[field::C][8]);
+      to.value(channel::water_change) -= p[field::m_w] * div;
+      if constexpr (P::template has<field::Temperature>)  // with its heat
+        to.value(channel::heat_change) -= k.heat * p[field::theta] * p[field::m_w] * div;
+      for (int i = 0; i < 3; ++i) to.value(channel::momentum, i) -= k.inertia * (p.mass() * p[field::v][i] + p[field::Q][i]) * div;
+    }
+    for (int i = 0; i < 3; ++i) p[field::Q_old][i] = p[field::Q][i];
+  }
+};
+
+}  // namespace bake
