@@ -8,7 +8,7 @@
 namespace bake::studies {
 namespace {
 
-const std::filesystem::path k_sources = std::filesystem::path(__FILE__).parent_path() / "../..";
+const std::filesystem::path k_sources = BAKE_SOURCE_DIR;
 
 TEST(Departures, OfTheSourcesAllStandOnThePage) {
   const std::string page = contents(k_sources / "paper/departures.md");

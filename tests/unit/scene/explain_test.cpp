@@ -88,7 +88,7 @@ TEST(DocumentationPage, HoldsEveryKey) {
 }
 
 TEST(DocumentationPage, IsCommittedAsItIsGenerated) {
-  const auto file = std::filesystem::path(__FILE__).parent_path() / "../../../docs/scene.md";
+  const auto file = std::filesystem::path(BAKE_SOURCE_DIR) / "docs/scene.md";
   if (std::getenv("BAKE_WRITE_DOCS")) std::ofstream(file) << documentation_page();
   std::stringstream committed;
   committed << std::ifstream(file).rdbuf();
