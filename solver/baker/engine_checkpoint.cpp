@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a checkpoint holds: particles, the scattered grid, and the sums so far.
+#include <cmath>
+
 #include "solver/baker/engine.h"
 
 namespace bake {
@@ -73,6 +75,13 @@ void Engine<Real>::read(const CheckpointReader& in) {
         const Real x = store_.tile(t)[k_position_column + d][l];
         expect(x >= -drift && x < 5 + drift);
       }
+  for (std::size_t t = 0; t < store_.tiles.size(); ++t)  // a step checks what it leaves: no run has written any of these
+    for (const auto& column : physics_->columns)
+      for (int c = column.first; c < column.first + column.width; ++c)
+        for (int l = 0; l < store_.tiles[t].count; ++l)
+          if (c != k_identity_column && !std::isfinite(store_.tile(t)[c][l]))
+            throw InputError("the checkpoint's particle " + std::to_string(identity_of<Real>(store_.tile(t), l)) + ": found " +
+                             column.name + " that is not finite, allowed: numbers");
   after_ordering();
   expect(grid.size() == active_.at.size() * k_block_nodes * static_cast<std::size_t>(row_size()));
   grid_.resize_and_forget(grid.size());

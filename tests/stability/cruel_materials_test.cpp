@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Dough whose properties or deformation are far outside what anybody bakes. Each case must end with finite numbers, closed books and no
-// energy from nowhere: what moves or is strained was paid for by gravity, by colliders and grips, by gas or by heat.
+// energy from nowhere (energy.h).
 #include "solver/particles/fields.h"
 #include "tests/stability/cruel.h"
 
@@ -40,17 +40,10 @@ exchange_W_per_m2K = 500
   return dough;
 }
 
-/// Runs it for 0.3 s. Its speed may not pass twice that of the fall but for what gas and heat drive: `driven` [m/s].
-void expect_endured(const Dough& dough, double driven = 0) {
-  const auto s = dough.begin();
-  const Sums start(*s);
-  ASSERT_TRUE(s->advance(0.3, 1));
-  expect_finite(*s);
-  if (dough.precision == "double") expect_closed_books(*s, start);
-  const double fall = 2 * 9.81 * 0.3 + driven;
-  EXPECT_LE(Sums(*s).kinetic, 0.5 * start.mass() * fall * fall);
-  EXPECT_GE(Sums(*s).dissipated, 0);
-  EXPECT_EQ(Sums(*s).limited, 0) << "a node owed water";
+void expect_endured(const Dough& dough) {
+  Watched dropped(dough);
+  ASSERT_NO_FATAL_FAILURE(dropped.run(0.3));
+  EXPECT_EQ(dropped.now().limited, 0) << "a node owed water";
 }
 
 class CruelDough : public testing::TestWithParam<const char*> {};
@@ -62,13 +55,10 @@ TEST_P(CruelDough, WithoutViscosity) { expect_endured(dropped(changed({{"viscosi
 TEST_P(CruelDough, WithNeither) { expect_endured(dropped(changed({{"yield_stress_Pa", "0"}, {"viscosity_Pa_s", "0"}}), GetParam())); }
 TEST_P(CruelDough, TooViscousToFlow) { expect_endured(dropped(changed({{"viscosity_Pa_s", "1e15"}}), GetParam())); }
 TEST_P(CruelDough, AlmostWithoutPores) {
-  expect_endured(dropped(changed({{"initial_porosity", "1e-4"}, {"production_mol_per_kgs", "0"}}), GetParam()), 5);
+  expect_endured(dropped(changed({{"initial_porosity", "1e-4"}, {"production_mol_per_kgs", "0"}}), GetParam()));
 }
-TEST_P(CruelDough, AlmostAllPores) { expect_endured(dropped(changed({{"initial_porosity", "0.96"}}), GetParam())); }
-// 0.3 s of a hundred times the gas: it bursts at up to the speed at which gas of 4000 Pa can drive 500 kg/m^3
-TEST_P(CruelDough, WithAHundredTimesTheLeavener) {
-  expect_endured(dropped(changed({{"production_mol_per_kgs", "30"}}), GetParam()), std::sqrt(2 * 4000 * 30 * 0.3 / 0.2));
-}
+TEST_P(CruelDough, AlmostAllPores) { expect_endured(dropped(changed({{"initial_porosity", "0.999"}}), GetParam())); }
+TEST_P(CruelDough, WithAHundredTimesTheLeavener) { expect_endured(dropped(changed({{"production_mol_per_kgs", "30"}}), GetParam())); }
 TEST_P(CruelDough, ThatHoldsMoreWaterThanItShould) {
   Dough dough = dropped(changed({}), GetParam());
   dough.body = "saturation = 0.95";  // the material's own is 0.2, and only a tenth is pore
@@ -80,7 +70,7 @@ TEST_P(CruelDough, AThousandTimesLessDenseThanItsNeighbour) {
   dough.tables += "[[material]]\nname = \"foam\"\n" + changed({{"density_kg_per_m3", "0.5"}, {"initial_saturation", "0"}}) +
                   "[[body]]\nmaterial = \"foam\"\nparticles_per_cell = 8\n"
                   "shape = { sphere = { centre_m = [0.01, 0.02, -0.1], radius_m = 0.25 } }\n";
-  expect_endured(dough, 20);  // gas under 4000 Pa drives foam of 0.5 kg/m^3 faster than the fall
+  expect_endured(dough);
 }
 
 class Conduction : public testing::TestWithParam<const char*> {};
@@ -90,69 +80,92 @@ INSTANTIATE_TEST_SUITE_P(By, Conduction, testing::Values("forward_euler", "backw
 TEST_P(Conduction, AThousandTimesFaster) {
   Dough dough = dropped(changed({{"conductivity_W_per_mK", "1e5"}}));
   dough.tables += std::string("[heat]\nwater_specific_heat_J_per_kgK = 40\ntolerance = 1e-12\nintegrator = \"") + GetParam() + "\"\n";
-  const auto s = dough.begin();
-  const Sums start(*s);
-  ASSERT_TRUE(s->advance(0.05, 1));
-  expect_finite(*s);
-  // backward Euler's residual is part of the books
-  if (std::string_view(GetParam()) == "forward_euler") expect_closed_books(*s, start);
-  const auto [cold, hot] = s->temperatures();
+  Watched dropped(dough);
+  ASSERT_NO_FATAL_FAILURE(dropped.run(0.05));
+  const auto [cold, hot] = dropped->temperatures();
   EXPECT_LE(hot - cold, 5) << "it conducts so well that it is of one temperature";
   EXPECT_LE(hot, 200);
   EXPECT_GE(cold, 20);
 }
 
-/// Pulled or pressed between two grips to `ratio` of its length at 2 m/s.
+/// Pulled or pressed between two grips to `ratio` of its length, each at 1 m/s.
 void expect_deformed(double ratio, const char* precision) {
   Dough dough;
   dough.effects = "motion, elasticity, plasticity";
   dough.precision = precision;
-  dough.dx = 0.0625;
+  dough.dx = 0.03125;
   dough.dt = 0.02;
   dough.material = changed({});
-  const double length = ratio < 1 ? 1.2 : 0.15, travel = length * (ratio - 1) / 2, time = std::abs(travel) / 1;
-  dough.ball = fmt::format("box = {{ half_extents_m = [{}, 0.15, 0.15] }}", length / 2);
+  const double length = ratio < 1 ? 1.2 : 0.18, travel = length * (ratio - 1) / 2, time = std::abs(travel);
+  dough.ball = fmt::format("box = {{ half_extents_m = [{}, 0.08, 0.08] }}", length / 2);
   for (const int side : {-1, 1})
     dough.tables += fmt::format(
-        "[[grip]]\nshape = {{ box = {{ centre_m = [{}, 0, 0], half_extents_m = [0.05, 0.3, 0.3] }} }}\n"
+        "[[grip]]\nshape = {{ box = {{ centre_m = [{}, 0, 0], half_extents_m = [0.02, 0.3, 0.3] }} }}\n"
         "motion = [{{ time_s = 0 }}, {{ time_s = {}, position_m = [{}, 0, 0] }}]\n",
-        side * (length / 2 - 0.03), time, side * travel);
-  const auto s = dough.begin();
-  const Sums start(*s);
-  ASSERT_TRUE(s->advance(time, 2 * time));
-  expect_finite(*s);
-  const Sums now(*s);
-  EXPECT_NEAR(now.solid, start.solid, 1e-12 * start.solid);
-  const Snapshot end = s->snapshot();
+        side * (length / 2 - 0.02), time, side * travel);
+  Watched bar(dough);
+  ASSERT_NO_FATAL_FAILURE(bar.run(time, 1));
+  const Snapshot end = bar.particles();
   const auto& J = end[field::VolumeRatio::name];
   EXPECT_GT(*std::min_element(J.begin(), J.end()), 0);
-  EXPECT_LE(now.kinetic, 0.5 * start.mass() * 4 * 4) << "faster than twice what its ends do";
+  const auto along = [](const Vector3& a, const Vector3& b) { return a[0] < b[0]; };
+  const auto [first, last] = std::minmax_element(end.position.begin(), end.position.end(), along);
+  EXPECT_NEAR((*last)[0] - (*first)[0], ratio * length, 2 * dough.dx);
 }
 TEST_P(CruelDough, PulledToTenTimesItsLength) { expect_deformed(10, GetParam()); }
 TEST_P(CruelDough, PressedToATenthOfItsLength) { expect_deformed(0.1, GetParam()); }
 
-/// All sides at once: a ball in a closing sphere of walls, to J = 0.1, and what was pressed may swell again.
-TEST_P(CruelDough, SqueezedToATenthOfItsVolume) {
+/// The ball flows as v = rate r until its J is `ratio`; then it is left to itself.
+void expect_let_go(double ratio, const char* precision) {
+  Dough dough;
+  dough.effects = k_everything;
+  dough.precision = precision;
+  dough.dx = 0.125;
+  dough.dt = 0.02;
+  dough.ball = "sphere = { radius_m = 0.3 }";
+  dough.material = changed({});
+  dough.tables = "[oven]\ntemperature_C = 100\nexchange_W_per_m2K = 100\n";
+  const double rate = ratio > 1 ? 2 : -2, time = std::log(ratio) / (3 * rate);
+  Watched ball(dough);
+  ball->set_force([=](const Point& x, const Vector3&, double, double) { return rate * x; });
+  ASSERT_TRUE(ball->advance(time, time + 0.02));
+  const Snapshot held = ball.particles();
+  for (const double J : held[field::VolumeRatio::name]) ASSERT_NEAR(std::log(J), std::log(ratio), 0.05);
+  ball->set_force([](const Point&, const Vector3& v, double, double) { return v; });
+  ball.watch_from_now();
+  ASSERT_NO_FATAL_FAILURE(ball.run(time + 0.2));
+  const Snapshot end = ball.particles();
+  const auto& J = end[field::VolumeRatio::name];
+  EXPECT_GT(*std::min_element(J.begin(), J.end()), 0);
+}
+TEST_P(CruelDough, StretchedToTenTimesItsVolume) { expect_let_go(10, GetParam()); }
+TEST_P(CruelDough, SqueezedToATenthOfItsVolume) { expect_let_go(0.1, GetParam()); }
+
+/// Walls close from six sides upon what is nearly all pore.
+TEST_P(CruelDough, BetweenClosingWalls) {
   Dough dough;
   dough.effects = "motion, elasticity, plasticity";
   dough.precision = GetParam();
   dough.material = changed({{"initial_porosity", "0.92"}});
   dough.dt = 0.02;
   dough.ball = "box = { half_extents_m = [0.4, 0.4, 0.4] }";
-  const char* axes[] = {"[{}, 0, 0]", "[0, {}, 0]", "[0, 0, {}]"};
-  for (const char* axis : axes)
-    for (const int side : {-1, 1})
+  const double travel = 0.42 - 0.4 * std::cbrt(0.1), time = 0.5;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const int side : {-1, 1}) {
+      const auto along = [&](double by) {
+        Vector3 v{0, 0, 0};
+        v[axis] = by;
+        return fmt::format("[{}, {}, {}]", v[0], v[1], v[2]);
+      };
       dough.tables += fmt::format(
           "[[collider]]\nshape = {{ half_space = {{ point_m = {}, normal = {} }} }}\n"
-          "motion = [{{ time_s = 0 }}, {{ time_s = 0.5, position_m = {} }}]\n",
-          fmt::format(fmt::runtime(axis), side * 0.42), fmt::format(fmt::runtime(axis), -side),
-          fmt::format(fmt::runtime(axis), -side * (0.42 - 0.4 * std::cbrt(0.1))));
-  const auto s = dough.begin();
-  const Sums start(*s);
-  ASSERT_TRUE(s->advance(0.5, 1));
-  expect_finite(*s);
-  EXPECT_LT(Sums(*s).volume, 0.25 * start.volume) << "else it was not squeezed; a layer of a cell at the walls stays looser";
-  const Snapshot pressed = s->snapshot();
+          "motion = [{{ time_s = 0 }}, {{ time_s = {}, position_m = {} }}]\n",
+          along(side * 0.42), along(-side), time, along(-side * travel));
+    }
+  Watched block(dough);
+  ASSERT_NO_FATAL_FAILURE(block.run(time, travel / time));
+  EXPECT_LT(block.now().volume, 0.25 * block.start().volume) << "else it was not squeezed; a layer of a cell at the walls stays looser";
+  const Snapshot pressed = block.particles();
   const auto& J = pressed[field::VolumeRatio::name];
   EXPECT_GT(*std::min_element(J.begin(), J.end()), 0);
 }
@@ -168,12 +181,9 @@ TEST(ANodeOfAlmostNoMass, GivesNobodyASpeed) {
     dough.body = "jitter = 0\nvelocity_m_per_s = [1, 0, 0]";
     dough.tables = "[oven]\ntemperature_C = 100\nexchange_W_per_m2K = 100\n";
     dough.ball = fmt::format("box = {{ centre_m = [{:.17g}, 0.01, 0.02], half_extents_m = [0.2, 0.2, 0.2] }}", at * dough.dx);
-    const auto s = dough.begin();
-    const Sums start(*s);
-    ASSERT_TRUE(s->advance(0.05, 1));
-    expect_finite(*s);
-    expect_closed_books(*s, start);
-    for (const Vector3& v : s->snapshot().velocity) EXPECT_LT(length(v - Vector3{1, 0, 0}), 1);
+    Watched block(dough);
+    ASSERT_NO_FATAL_FAILURE(block.run(0.05));
+    for (const Vector3& v : block.particles().velocity) EXPECT_LT(length(v - Vector3{1, 0, 0}), 1);
   }
 }
 
@@ -192,12 +202,8 @@ shape = { box = { centre_m = [0, 0, -0.5], half_extents_m = [0.01, 0.6, 0.3] } }
 expels = true
 motion = [{ time_s = 0 }, { time_s = 0.1, position_m = [0, 0, -0.1] }, { time_s = 0.2 }]
 )";
-  const auto s = dough.begin();
-  const Sums start(*s);
-  ASSERT_TRUE(s->advance(0.3, 1));
-  expect_finite(*s);
-  if (dough.precision == "double") expect_closed_books(*s, start);
-  EXPECT_LE(Sums(*s).kinetic, 0.5 * start.mass()) << "the knife moves at 1 m/s";
+  Watched film(dough);
+  ASSERT_NO_FATAL_FAILURE(film.run(0.3, 1));
 }
 
 }  // namespace

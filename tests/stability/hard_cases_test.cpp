@@ -2,6 +2,7 @@
 // Cruel scenes end with finite numbers and closed books, or with an error that names particle, quantity and step.
 #include <gtest/gtest.h>
 
+#include "solver/baker/fill_scene.h"
 #include "tests/stability/cruel.h"
 #include "tests/support/temporary_folder.h"
 
@@ -13,12 +14,9 @@ TEST(AStepAskedForFarTooLarge, IsCutToWhatIsStable) {
   dough.effects = k_everything;
   dough.dt = 10;
   dough.tables = "[time]\nlargest_step_s = 1e3\n[oven]\ntemperature_C = 100\nexchange_W_per_m2K = 100\n";
-  const auto s = dough.begin();
-  const Sums start(*s);
-  ASSERT_TRUE(s->advance(0.3, 10));
-  EXPECT_LT(s->dt(), 0.02);
-  expect_finite(*s);
-  expect_closed_books(*s, start);
+  Watched ball(dough);
+  ASSERT_NO_FATAL_FAILURE(ball.run(0.3));
+  EXPECT_LT(ball->dt(), 0.02);
 }
 
 TEST(AStepBelowTheSmallestAllowed, EndsTheRunWithTheReason) {
@@ -68,43 +66,96 @@ void save_one_frame(const Scene& scene, const std::filesystem::path& file) {
   out.commit();
 }
 
+/// Calls visit(column, c) for each component c of every column that a particle keeps, but for its identity: any bits will do.
+template <class Real, class Visit>
+void for_each_number(const Scene& scene, Visit visit) {
+  const auto physics = make_physics<Real>(scene);
+  for (const auto& column : physics->columns)
+    for (int c = column.first; c < column.first + column.width; ++c)
+      if (c != k_identity_column) visit(column, c);
+}
+
 template <class Real>
-void expect_named(const char* precision, int column, const char* name) {
+constexpr std::array k_no_numbers{std::numeric_limits<Real>::quiet_NaN(), std::numeric_limits<Real>::infinity()};
+
+/// With FLIP particles keep their velocity as well.
+Dough of_everything(const char* precision) {
   Dough dough = small();
   dough.effects = k_everything;
   dough.precision = precision;
-  const Scene scene = dough.scene();
-  const TemporaryFolder folder;
-  ASSERT_NO_FATAL_FAILURE(save_one_frame(scene, folder / "good.h5"));
-  constexpr int W = k_width<Real>;
-  const auto columns = static_cast<std::size_t>(make_physics<Real>(scene)->column_count);
-  // lane 0 of the third tile
-  poison<Real>(folder / "good.h5", folder / "bad.h5", scene.run.precision, (2 * columns + static_cast<std::size_t>(column)) * W,
-               std::numeric_limits<Real>::quiet_NaN());
-  const auto sick = Simulation::resume(scene, CheckpointReader(folder / "bad.h5"));
-  const auto steps = sick->counters().steps;
-  try {
-    sick->advance(0.04, 0.06);
-    FAIL() << "nothing was thrown";
-  } catch (const RunError& error) {
-    const std::string message = error.what();
-    EXPECT_EQ(message.find("particle "), 0u) << message;
-    EXPECT_NE(message.find(std::string(name) + " is not finite in step " + std::to_string(steps)), std::string::npos) << message;
-  }
+  dough.motion = k_flip;
+  return dough;
+}
+
+/// Puts what is no number into one particle between two steps: the next one must end with it and name it.
+template <class Real>
+void expect_named(const char* precision) {
+  const Scene scene = of_everything(precision).scene();
+  constexpr std::size_t k_tile = 2;
+  for_each_number<Real>(scene, [&](const auto& column, int c) {
+    if (c < k_position_column + 3) return;  // its nodes would be nowhere: no step begins with such a particle, see below
+    for (const Real none : k_no_numbers<Real>) {
+      Engine<Real> engine(scene);
+      engine.add(fill_bodies(scene));
+      engine.start(0.02);
+      for (int i = 0; i < 3; ++i) engine.step(0.02, 0.04);
+      auto* columns = const_cast<Lanes<Real>*>(engine.store().tile(k_tile));  // the engine lets nobody do that
+      columns[c][0] = none;
+      const auto id = identity_of<Real>(columns, 0);
+      std::string message;
+      try {
+        for (int i = 0; i < 2; ++i) engine.step(0.02, 0.04);
+      } catch (const RunError& error) {
+        message = error.what();
+      }
+      std::string name = column.name;
+      if (name == field::PeakTemperature::name && std::isnan(none)) {  // the greater of that and the temperature: is a number again
+        EXPECT_EQ(message, "");
+        continue;
+      }
+      if (name == field::Leavener::name) name = field::ProducedGas::name;  // it makes it in the same step, and is named first
+      if (name != field::ScatteredWaterMomentum::name)                     // goes to nodes and is forgotten; see below
+        EXPECT_NE(message.find(fmt::format("particle {}: {} is not finite in step 3 ", id, name)), std::string::npos)
+            << name << ": " << message;
+      else
+        EXPECT_NE(message.find("position is not finite in step 4 "), std::string::npos) << message;
+    }
+  });
 }
 
 TEST(ANumberThatIsNone, IsFoundInTheSameStepAndItsParticleAndQuantityAreNamed) {
-  const auto physics = make_physics<double>([] {
-    Dough dough;
-    dough.effects = k_everything;
-    return dough.scene();
-  }());
-  for (const char* name : {"volume_ratio", "temperature", "water_mass", "elastic_strain", "produced_gas"})
-    for (const auto& column : physics->columns)
-      if (column.name == name) {
-        expect_named<float>("single", column.first, name);
-        expect_named<double>("double", column.first, name);
+  expect_named<float>("single");
+  expect_named<double>("double");
+}
+
+template <class Real>
+void expect_refused(const char* precision) {
+  const Scene scene = of_everything(precision).scene();
+  const TemporaryFolder folder;
+  ASSERT_NO_FATAL_FAILURE(save_one_frame(scene, folder / "good.h5"));
+  EXPECT_NO_THROW(Simulation::resume(scene, CheckpointReader(folder / "good.h5")));
+  const int columns = make_physics<Real>(scene)->column_count;
+  for_each_number<Real>(scene, [&](const auto& column, int c) {
+    for (const Real none : k_no_numbers<Real>) {
+      const auto at = static_cast<std::size_t>((2 * columns + c) * k_width<Real>);  // lane 0 of the third tile
+      poison<Real>(folder / "good.h5", folder / "bad.h5", scene.run.precision, at, none);
+      try {
+        Simulation::resume(scene, CheckpointReader(folder / "bad.h5"));
+        ADD_FAILURE() << column.name << ": nothing was thrown";
+      } catch (const InputError& error) {
+        if (c >= k_position_column + 3) {  // a particle that is nowhere is refused for that
+          EXPECT_NE(std::string(error.what()).find(column.name), std::string::npos) << error.what();
+          EXPECT_NE(std::string(error.what()).find("'s particle "), std::string::npos) << error.what();
+        }
       }
+    }
+  });
+}
+
+// No step leaves such a particle, so that none of the two numbers that a step forgets can ever be one.
+TEST(ACheckpoint, WithANumberThatIsNoneIsRefusedAndItsParticleAndQuantityAreNamed) {
+  expect_refused<float>("single");
+  expect_refused<double>("double");
 }
 
 TEST(ACheckpoint, WithAParticleNowhereIsRefused) {
@@ -112,7 +163,7 @@ TEST(ACheckpoint, WithAParticleNowhereIsRefused) {
   const Scene scene = dough.scene();
   const TemporaryFolder folder;
   ASSERT_NO_FATAL_FAILURE(save_one_frame(scene, folder / "good.h5"));
-  for (const double nowhere : {std::numeric_limits<double>::quiet_NaN(), -3.0, 1e9}) {
+  for (const double nowhere : {-3.0, 1e9}) {
     poison<double>(folder / "good.h5", folder / "bad.h5", scene.run.precision, k_position_column * k_width<double>, nowhere);
     EXPECT_THROW(Simulation::resume(scene, CheckpointReader(folder / "bad.h5")), InputError);
   }
@@ -128,11 +179,10 @@ TEST(StiffPores, AreStableAndFreeOfStressAtTheStart) {
   change("production_mol_per_kgs = 0.3", "");
   dough.tables = "[leavening]\nreference_pressure_Pa = 101325\n";
   dough.dt = 1;
-  const auto s = dough.begin();
-  EXPECT_TRUE(s->advance(0.01, 1));
-  EXPECT_GT(s->counters().steps, 20);  // 1e5 Pa over 1 % of pores: 1e7 Pa
-  expect_finite(*s);
-  EXPECT_LT(Sums(*s).kinetic, 1e-6 * Sums(*s).mass());
+  Watched ball(dough);
+  ASSERT_NO_FATAL_FAILURE(ball.run(0.01));
+  EXPECT_GT(ball->counters().steps, 20);  // 1e5 Pa over 1 % of pores: 1e7 Pa
+  EXPECT_LT(ball.now().kinetic, 1e-6 * ball.start().mass());
 }
 
 TEST(DoughThrownAtAClosedFaceAtAThousandMetresPerSecond, StaysInsideAndItsBooksAreClosed) {
@@ -141,17 +191,12 @@ TEST(DoughThrownAtAClosedFaceAtAThousandMetresPerSecond, StaysInsideAndItsBooksA
     dough.precision = precision;
     dough.body = "velocity_m_per_s = [1000, 0, 0]";
     dough.dt = 1e-3;
-    const auto s = dough.begin();
-    const Sums start(*s);
-    const std::size_t particles = s->particles();
+    Watched ball(dough);
+    const std::size_t particles = ball->particles();
     try {
-      s->advance(2e-3, 3e-3);
-      expect_finite(*s);
-      EXPECT_EQ(s->particles(), particles);
-      const Sums now(*s);
-      const double tolerance = static_cast<double>(s->counters().steps) * round_off(precision) * start.mass() * 1000;
-      EXPECT_NEAR(now.momentum[0], start.momentum[0] + now.impulse[0], tolerance);
-      EXPECT_LE(now.kinetic + now.elastic, 1.05 * start.kinetic) << "energy came from nowhere";
+      ASSERT_NO_FATAL_FAILURE(ball.run(2e-3));
+      EXPECT_EQ(ball->particles(), particles);
+      EXPECT_LT(ball.now().momentum[0], 0.5 * ball.start().momentum[0]) << "it never met the face";
     } catch (const RunError& error) {
       EXPECT_EQ(std::string(error.what()).find("particle "), 0u) << error.what();
     }
@@ -203,11 +248,7 @@ TEST(BodiesThatOverlap, PushEachOtherApartAndKeepTheirBooks) {
   dough.effects = k_everything;
   dough.tables =
       "[[body]]\nmaterial = \"dough\"\nparticles_per_cell = 8\nshape = { sphere = { centre_m = [0.2, 0, 0], radius_m = 0.3 } }\n";
-  const auto s = dough.begin();
-  const Sums start(*s);
-  EXPECT_TRUE(s->advance(0.2, 0.3));
-  expect_finite(*s);
-  expect_closed_books(*s, start);
+  ASSERT_NO_FATAL_FAILURE(Watched(dough).run(0.2));
 }
 
 Dough lonely(const std::string& effects) {
@@ -222,13 +263,10 @@ Dough lonely(const std::string& effects) {
 
 TEST(ALonelyParticle, FallsAndBakesAndIsKept) {
   for (const char* effects : {"motion, elasticity", k_everything}) {
-    const auto s = lonely(effects).begin();
-    ASSERT_EQ(s->particles(), 1u);
-    const Sums start(*s);
-    EXPECT_TRUE(s->advance(0.3, 0.4));
-    expect_finite(*s);
-    expect_closed_books(*s, start);
-    EXPECT_NEAR(s->snapshot().velocity[0][2], -9.81 * 0.3, 1e-9);
+    Watched one(lonely(effects));
+    ASSERT_EQ(one->particles(), 1u);
+    ASSERT_NO_FATAL_FAILURE(one.run(0.3));
+    EXPECT_NEAR(one.particles().velocity[0][2], -9.81 * 0.3, 1e-9);
   }
 }
 
@@ -237,13 +275,11 @@ TEST(TwoParticlesAtOnePlace, MoveAsOne) {
     Dough dough = lonely(effects);
     dough.body = "jitter = 0";
     dough.tables += "[[body]]\nmaterial = \"dough\"\nparticles_per_cell = 8\njitter = 0\nshape = { " + dough.ball + " }\n";
-    const auto s = dough.begin();
-    ASSERT_EQ(s->particles(), 2u);
-    const Sums start(*s);
-    EXPECT_TRUE(s->advance(0.3, 0.4));
-    expect_finite(*s);
-    expect_closed_books(*s, start);
-    for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(s->snapshot().position[0][d], s->snapshot().position[1][d], 1e-12);
+    Watched two(dough);
+    ASSERT_EQ(two->particles(), 2u);
+    ASSERT_NO_FATAL_FAILURE(two.run(0.3));
+    const Snapshot end = two.particles();
+    for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(end.position[0][d], end.position[1][d], 1e-12);
   }
 }
 
@@ -254,31 +290,33 @@ TEST(OneOrSixtyFourParticlesPerCell, AreNoSpecialCase) {
     dough.ball = "sphere = { centre_m = [0, 0, -0.6], radius_m = 0.3 }";
     std::string text = dough.text();
     text.replace(text.find("particles_per_cell = 8"), 22, std::string("particles_per_cell = ") + many);
-    const auto s = Simulation::begin(parse_scene(text, "dough.toml", {}));
-    const Sums start(*s);
-    EXPECT_TRUE(s->advance(0.2, 0.3));
-    expect_finite(*s);
-    expect_closed_books(*s, start);
-    EXPECT_NEAR(start.solid, 300 * 4 / 3. * M_PI * 0.027, 0.2 * start.solid);  // 1 per cell: about 58 particles
+    Watched ball(parse_scene(text, "dough.toml", {}));
+    ASSERT_NO_FATAL_FAILURE(ball.run(0.2));
+    const double solid = ball.start().solid;
+    EXPECT_NEAR(solid, 300 * 4 / 3. * M_PI * 0.027, 0.2 * solid);  // 1 per cell: about 58 particles
   }
 }
 
+// A film of one cell, all of it surface, and a ball whose middle dries through its crust. Diffusion and evaporation are in proportion to
+// the water that is left: it falls exponentially, and passes round-off of what was there.
 TEST(AllWater, CanEvaporateAndNoneIsOwed) {
-  for (const char* effects : {"heat, water", k_everything}) {
-    Dough dough = small();
-    dough.effects = effects;
-    dough.gravity = "[0, 0, 0]";
-    dough.material = Dough::properties("diffusivity_m2_per_sK = 2e-3\nevaporation_kg_per_m2sK = 50");
-    dough.tables = "[oven]\ntemperature_C = 100\nexchange_W_per_m2K = 100\n";
-    const auto s = dough.begin();
-    const Sums start(*s);
-    EXPECT_TRUE(s->advance(1, 2));
-    expect_finite(*s);
-    expect_closed_books(*s, start);
-    EXPECT_LT(Sums(*s).water, 0.2 * start.water);
-    const Snapshot now = s->snapshot();
-    for (const double m : now["water_mass"]) ASSERT_GE(m, 0);
-  }
+  const char* shapes[] = {"box = { half_extents_m = [0.4, 0.4, 0.05] }", "sphere = { radius_m = 0.2 }"};
+  for (const char* precision : {"double", "single"})
+    for (const char* effects : {"heat, water", k_everything})
+      for (const char* shape : shapes) {
+        Dough dough = small();
+        dough.effects = effects;
+        dough.precision = precision;
+        dough.gravity = "[0, 0, 0]";
+        dough.ball = shape;
+        dough.material = Dough::properties("diffusivity_m2_per_sK = 2e-3\nevaporation_kg_per_m2sK = 50");
+        dough.tables = "[oven]\ntemperature_C = 100\nexchange_W_per_m2K = 100\n";
+        Watched drying(dough);
+        ASSERT_NO_FATAL_FAILURE(drying.run(effects == k_everything ? 5 : 15));
+        EXPECT_LT(drying.now().water, (precision[0] == 'd' ? 1e-16 : 1e-7) * drying.start().water) << effects << ", " << shape;
+        const Snapshot dry = drying.particles();
+        for (const double m : dry["water_mass"]) ASSERT_GE(m, 0);
+      }
 }
 
 TEST(ABodyOutsideTheDomain, IsRefusedBeforeTheRun) {
@@ -299,31 +337,36 @@ TEST(ADoughHeatedFromTheFreezerTo400DegreesInOneFrame, StaysFinite) {
   dough.effects = k_everything;
   dough.body = "temperature_C = -20";
   dough.tables = "[oven]\ntemperature_C = 400\nexchange_W_per_m2K = 1e5\n";
-  const auto s = dough.begin();
-  const Sums start(*s);
-  EXPECT_TRUE(s->advance(0.04, 0.08));
-  expect_finite(*s);
-  expect_closed_books(*s, start);
-  EXPECT_LE(s->temperatures().second, 400 + 1e-6);
+  Watched ball(dough);
+  ASSERT_NO_FATAL_FAILURE(ball.run(0.04));
+  EXPECT_GT(ball->temperatures().second, 350);
+  EXPECT_LE(ball->temperatures().second, 400 + 1e-6);
 }
 
 TEST(APressThatClosesFasterThanSound, EndsInAnErrorOrInFiniteNumbers) {
-  Dough dough = small();
-  dough.effects = "motion, elasticity, plasticity";
-  dough.tables = R"([[collider]]
+  const double speed = 1.1 / 0.02;
+  for (const char* precision : {"double", "single"}) {
+    Dough dough = small();
+    dough.effects = "motion, elasticity, plasticity";
+    dough.precision = precision;
+    dough.tables = R"([[collider]]
 shape = { box = { centre_m = [0, 0, 0.5], half_extents_m = [0.5, 0.5, 0.1] } }
 motion = [{ time_s = 0 }, { time_s = 0.02, position_m = [0, 0, -1.1] }]
 [[collider]]
 shape = { half_space = { point_m = [0, 0, -0.4], normal = [0, 0, 1] } }
 )";
-  const auto s = dough.begin();
-  const std::size_t particles = s->particles();
-  try {
-    s->advance(0.03, 0.04);
-    expect_finite(*s);
-    EXPECT_EQ(s->particles(), particles);
-  } catch (const RunError& error) {
-    EXPECT_EQ(std::string(error.what()).find("particle "), 0u) << error.what();
+    const Material material = dough.scene().materials[0];
+    const auto& elastic = of<Elasticity>(material);
+    const double nu = elastic.poisson_ratio, modulus = elastic.young_modulus_Pa * (1 - nu) / ((1 + nu) * (1 - 2 * nu));
+    ASSERT_GT(speed, std::sqrt(modulus / material.density_kg_per_m3)) << "c = sqrt((lambda + 2 mu) / rho)";
+    Watched ball(dough);
+    const std::size_t particles = ball->particles();
+    try {
+      ASSERT_NO_FATAL_FAILURE(ball.run(0.03, speed));
+      EXPECT_EQ(ball->particles(), particles);
+    } catch (const RunError& error) {
+      EXPECT_EQ(std::string(error.what()).find("particle "), 0u) << error.what();
+    }
   }
 }
 
