@@ -31,6 +31,7 @@ const std::vector<Case>& all_cases() {
       {"open_pores", "pores heated and leavened at the pressure of the atmosphere: ideal gas", open_pores},
       {"closed_pores", "pores heated at fixed volume: p theta_0K = p_ref (theta_K - theta_0K)", closed_pores},
       {"perzyna", "a viscoplastic bar that is pressed at constant speed, in both norms", perzyna},
+      {"wrinkles", "a stiff film on deep soft ground that is compressed: wavelength and onset of its wrinkles", wrinkles},
   };
   return cases;
 }

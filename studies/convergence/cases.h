@@ -40,5 +40,6 @@ std::vector<Errors> thermal_strain(bool quick);
 std::vector<Errors> open_pores(bool quick);
 std::vector<Errors> closed_pores(bool quick);
 std::vector<Errors> perzyna(bool quick);
+std::vector<Errors> wrinkles(bool quick);
 
 }  // namespace bake::studies
