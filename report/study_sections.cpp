@@ -95,4 +95,20 @@ Html stability_section(const std::filesystem::path& root) {
                        *study, table({"map", "points", "largest stable step over the rule's", "verdict"}, rows));
 }
 
+Html effects_section(const std::filesystem::path& root) {
+  const auto study = read_json(root / "paper/effects.json");
+  if (!study) return {};
+  std::vector<std::vector<Html>> rows;
+  for (const json& point : study->at("points"))
+    rows.push_back({text(word(point, "scene")), text(word(point, "effects")),
+                    text(fmt::format("{:.1f}", point.at("added_cpu_ns").get<double>())),
+                    text(fmt::format("{:.0f} %", 100 * point.at("run_cpu_share").get<double>())),
+                    text(fmt::format("{:.2g}", point.at("largest_change_over_error").get<double>())), text(word(point, "of"))});
+  return study_section(
+      "effects", "What each effect costs, and what it changes",
+      "Each effect left out of a scene in turn: the processor time that it adds to a particle-step and to the run, and the largest "
+      "change of what the scene is run for, in units of the difference between two grids.",
+      *study, table({"scene", "without", "ns per particle-step", "of the run", "change over error", "of"}, rows));
+}
+
 }  // namespace bake::report

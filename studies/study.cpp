@@ -3,6 +3,7 @@
 
 #include "studies/convergence/convergence.h"
 #include "studies/departures/departures.h"
+#include "studies/effects/effects.h"
 #include "studies/stability/stability.h"
 #include "studies/surface/surface.h"
 
@@ -12,6 +13,7 @@ const std::vector<Study>& all_studies() {
   static const std::vector<Study> studies{
       {"convergence", "Orders of convergence against exact solutions", run_convergence},
       {"departures", "What the printed equations do where this solver departs from them", run_departures},
+      {"effects", "What each effect costs in time and memory, and what leaving it out changes", run_effects},
       {"stability", "The largest stable steps, and how close the time-step rule comes to them", run_stability},
       {"surface", "The area that the surface measure finds, in its standard and its published form", run_surface},
   };

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "solver/boundary/vector3.h"
+#include "solver/io/progress.h"
 #include "solver/particles/fields.h"
 
 namespace bake {
@@ -140,14 +141,18 @@ void Engine<Real>::start(double first_target) {
 
 template <class Real>
 void Engine<Real>::step(double target, double next_target) {
+  const double began = steady_seconds();
   contacts_.prepare(time_);
   update_grid();
+  const double updated = steady_seconds(), ordered = phases_.ordering;
   const double after = time_ + dt_;
   const bool reaches = after >= target - 1e-9 * dt_;
   pass(next_step(reaches ? target : after, target, next_target), reaches);
   time_ = reaches ? target : after;
   ++counters_.steps;
   counters_.particle_steps += static_cast<std::int64_t>(particle_count_);
+  phases_.grid += updated - began;
+  phases_.transfer += steady_seconds() - updated - (phases_.ordering - ordered);
 }
 
 template <class Real>

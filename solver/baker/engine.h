@@ -48,6 +48,13 @@ struct Counters {
   std::int64_t retired = 0;  ///< particles that left through open faces
 };
 
+/// Where the time of the steps went [s of the clock], since the engine was made.
+struct PhaseSeconds {
+  double grid = 0;      ///< the grid update: surface, forces, contact
+  double transfer = 0;  ///< the pass over the particles: clearing the grid, gather, law, scatter
+  double ordering = 0;  ///< particles into new home blocks, and the grid's rows after them
+};
+
 template <class Real>
 class Engine {
  public:
@@ -75,6 +82,7 @@ class Engine {
   double temperature_low() const { return temperature_low_; }
   double temperature_high() const { return temperature_high_; }
   double largest_speed() const { return std::sqrt(extremes_.speed2); }
+  const PhaseSeconds& phases() const { return phases_; }
   std::size_t particles() const { return particle_count_; }
   const ParticleStore<Real>& store() const { return store_; }
   const AlignedBuffer<Real>& velocity() const { return velocity_; }  ///< [tile][3][W] right after a sample; empty where nothing moves
@@ -137,6 +145,7 @@ class Engine {
   bool has_surface_ = false;
   Maxima extremes_;
   Counters counters_;
+  PhaseSeconds phases_;
   Bookings booked_{};
   Totals totals_{}, retired_{}, emitted_{};
   double temperature_low_ = 0, temperature_high_ = 0;

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "solver/baker/engine.h"
+#include "solver/io/progress.h"
 #include "solver/particles/fields.h"
 #include "solver/particles/order.h"
 
@@ -174,6 +175,7 @@ void Engine<Real>::rehome_grid(const ActiveBlocks& before) {
 /// Particles that drifted out of their blocks: retire or order them, then scatter what they owe.
 template <class Real>
 void Engine<Real>::settle(std::vector<Escape<Real>>& escapes) {
+  const double began = steady_seconds();
   for (const Escape<Real>& e : escapes)
     if (e.broken) report_broken(e);
   std::vector<std::pair<std::int32_t, std::int32_t>> retired;
@@ -212,6 +214,7 @@ void Engine<Real>::settle(std::vector<Escape<Real>>& escapes) {
   w.scattered = grid_.data();
   for (std::size_t i = 0; i < escapes.size(); ++i)
     if (!escapes[i].retired) kernel_->scatter_rows(w, home_of(homes[i].block), homes[i].x, escapes[i].rows.data());
+  phases_.ordering += steady_seconds() - began;
 }
 
 /// Sampled velocities follow their particles from the order `before` into the present one; those just added have their own.

@@ -2,14 +2,12 @@
 // bake check <item or results>, bake bless <item> --why "..."
 #include <fmt/format.h>
 
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "claims/reference.h"
 #include "solver/baker/kept_run.h"
+#include "solver/cli/blessing.h"
 #include "solver/cli/commands.h"
 #include "solver/cli/scene_files.h"
 #include "solver/scene/describe.h"
@@ -87,24 +85,9 @@ int check_subject(const CheckArguments& arguments) {
   return missed == 0 ? k_success : k_failed_check;
 }
 
-/// What git says of the sources, nothing if it says nothing. Throws InputError without git.
-std::string git(const std::string& arguments) {
-  const std::string command = fmt::format("git -C '{}' {} 2>/dev/null", BAKE_SOURCE_DIR, arguments);
-  FILE* pipe = popen(command.c_str(), "r");
-  std::string text;
-  std::array<char, 256> part;
-  while (pipe && fgets(part.data(), part.size(), pipe)) text += part.data();
-  if (!pipe || pclose(pipe) != 0) throw InputError("bless: git cannot say what the sources are, allowed: a clone with git");
-  return text;
-}
-
 int bless(const CheckArguments& arguments) {
-  if (std::getenv("CI")) throw InputError("bless: found CI in the environment, allowed: people only, who give a reason");
-  if (arguments.why.find_first_not_of(" \t") == std::string::npos)
-    throw InputError("--why: found nothing, allowed: the reason, for those who come after");
   Reference reference = find_reference(arguments.subject);
-  if (const std::string changes = git("status --porcelain"); !changes.empty())
-    throw InputError("bless: found uncommitted changes, allowed: a clean tree, so that the new numbers have a commit they come from");
+  const std::string commit = commit_to_bless(arguments.why);
   for (Verdict& v : check(reference, results_of(reference, arguments.out, arguments.quiet))) {
     if (v.expectation.kind != Evidence::regression) {
       if (!v.holds())
@@ -116,7 +99,7 @@ int bless(const CheckArguments& arguments) {
     fmt::print("  {:<20} {:.9g} -> {:.9g}\n", v.expectation.name, *v.expectation.expected, v.measured);
     at->expected = v.measured;
   }
-  reference.blessed = {{"why", arguments.why}, {"commit", git("rev-parse HEAD").substr(0, 40)}};
+  reference.blessed = {{"why", arguments.why}, {"commit", commit}};
   write_reference(reference);
   fmt::print("{} is written; commit it\n", reference.file.string());
   return k_success;

@@ -1,26 +1,41 @@
 // SPDX-License-Identifier: MIT
-// Useful floating-point operations of a particle in a step: a multiply-add is two, anything else one.
+// Useful floating-point operations of a particle in a step, a multiply-add being two, anything else one; and the bytes that memory
+// must move for it at least.
 //
 // Transfers, from their formulas, for the quadratic kernel (27 nodes):
 //   gather a channel    value and three derivatives, z then y then x: (54 + 27 + 12) multiply-adds          = 186
 //   scatter a channel   27 multiply-adds with 9 products of weights                                         =  63
 //   with moments        the same, 18 more multiply-adds and 17 operations that make a' + j B_x + k B_y      = 116
-//   weights             before and after the particle has moved                                             = 100
+//   weights             before the particle has moved, and after                                            =  50 each
 // The law, from the machine code (g++ 12, AVX-512, single precision) of Model::advance: the packed operations of a tile, each counted
 // once but the body of Newton's iteration three times, as differences of models that differ in one effect.
 // The double precision's longer series are not counted as useful.
+//
+// Bytes: what would have to move if the caches held nothing from one step to the next and everything within a step. A particle's
+// columns are read and written once. A node's row is read and written by the grid update, read by the gather, cleared, then read and
+// written by the scatter: six times. What a block's neighbours read again is taken to come from the caches.
 #pragma once
 
 #include "solver/effects/physics.h"
+#include "solver/scene/scene.h"
 
 namespace bake::bench {
 
+inline constexpr double k_weights_flops = 50;
+
 template <class Real>
-double flops_per_particle_step(const Physics<Real>& physics, const Scene& scene) {
-  constexpr double gather = 186, scatter = 63, scatter_moments = 116, weights = 100;
-  const int plain = physics.scatter_channels - physics.moment_channels;
-  double flops = gather * physics.gather_channels + scatter * plain + scatter_moments * physics.moment_channels + weights;
+double gather_flops(const Physics<Real>& physics) {
+  return 186 * physics.gather_channels + k_weights_flops;
+}
+
+template <class Real>
+double scatter_flops(const Physics<Real>& physics) {
+  return 63 * (physics.scatter_channels - physics.moment_channels) + 116 * physics.moment_channels + k_weights_flops;
+}
+
+inline double law_flops(const Scene& scene) {
   const bool moves = scene.lists("motion");
+  double flops = 0;
   if (moves) flops += 650;  // with elasticity
   if (scene.lists("plasticity")) flops += 630;
   if (scene.lists("heat")) flops += moves ? 46 : 32;
@@ -28,5 +43,17 @@ double flops_per_particle_step(const Physics<Real>& physics, const Scene& scene)
   if (scene.lists("leavening")) flops += 75;
   return flops;
 }
+
+template <class Real>
+double flops_per_particle_step(const Physics<Real>& physics, const Scene& scene) {
+  return gather_flops(physics) + scatter_flops(physics) + law_flops(scene);
+}
+
+/// Of a polynomial of a symmetric matrix with so many terms (solver/core/symmetric.h): its square 30, invariants 27, six a term of
+/// Horner's scheme but the first, the sum 26, the norm that is looked at 12.
+constexpr double polynomial_flops(int terms) { return 30 + 27 + 6 * (terms - 1) + 26 + 12; }
+
+/// Times that a node's row is read or written in a step.
+inline constexpr double k_row_passes = 6;
 
 }  // namespace bake::bench

@@ -2,11 +2,14 @@
 // bake_bench: Google Benchmark with the machine's limits beside the figures.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "solver/core/lanes.h"
 #include "solver/io/provenance.h"
 #include "tests/bench/limits.h"
 #include "tests/bench/steps.h"
@@ -21,6 +24,13 @@ void describe_machine(const Limits& limits) {
   for (const char* part : {"program", "machine"})
     for (const auto& [key, value] : source.at(part).items())
       benchmark::AddCustomContext(fmt::format("{}.{}", part, key), value.is_string() ? value.get<std::string>() : value.dump());
+  for (const auto& [level, name] :
+       {std::pair("L1d", _SC_LEVEL1_DCACHE_SIZE), std::pair("L2", _SC_LEVEL2_CACHE_SIZE), std::pair("L3", _SC_LEVEL3_CACHE_SIZE)})
+    benchmark::AddCustomContext(fmt::format("machine.cache_bytes.{}", level), std::to_string(sysconf(name)));
+  benchmark::AddCustomContext("program.vector_bits", std::to_string(8 * sizeof(Lanes<float>)));
+  benchmark::AddCustomContext("machine.threads", std::to_string(limits.threads));
+  for (const char* variable : {"OMP_NUM_THREADS", "OMP_PROC_BIND", "OMP_PLACES", "GOMP_SPINCOUNT"})
+    if (const char* value = std::getenv(variable)) benchmark::AddCustomContext(fmt::format("environment.{}", variable), value);
   const auto add = [](const char* name, const Rate& rate) {
     benchmark::AddCustomContext(fmt::format("{}.1_thread", name), fmt::format("{:.1f}", rate.one));
     benchmark::AddCustomContext(fmt::format("{}.all_threads", name), fmt::format("{:.1f}", rate.all));
@@ -49,7 +59,8 @@ int run(int count, char** given) {
   const Limits limits = measure_limits();
   describe_machine(limits);
   register_steps(limits);
-  register_parts();
+  register_passes(limits);
+  register_parts(limits);
   SummaryReporter reporter(limits);
   benchmark::RunSpecifiedBenchmarks(&reporter);
   benchmark::Shutdown();

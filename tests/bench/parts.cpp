@@ -9,7 +9,8 @@
 #include "solver/baker/fill_scene.h"
 #include "solver/core/symmetric.h"
 #include "solver/particles/order.h"
-#include "tests/bench/scenes.h"
+#include "studies/machines/scenes.h"
+#include "tests/bench/flops.h"
 #include "tests/bench/steps.h"
 #include "tests/bench/stopwatch.h"
 
@@ -24,7 +25,7 @@ void count_particles(benchmark::State& state, const Stopwatch& watch, double per
 }
 
 template <class Real>
-void order_500K(benchmark::State& state, int threads) {
+void order_500K(benchmark::State& state, int threads, double triad_GB_per_s) {
   const int all = omp_get_max_threads();
   const Precision precision = sizeof(Real) == 4 ? Precision::single_precision : Precision::double_precision;
   const Scene scene = loaf(k_combinations[12], precision, 5e5);
@@ -39,6 +40,8 @@ void order_500K(benchmark::State& state, int threads) {
   const Stopwatch watch;
   for ([[maybe_unused]] auto once : state) order_particles<Real>(engine.store(), nullptr, engine.lattice(), nullptr, to);
   count_particles(state, watch, static_cast<double>(engine.particles()));
+  state.counters["bytes"] = 2. * sizeof(Real) * to.columns;  // columns are read and written
+  state.counters["triad"] = 1e-3 * state.counters["bytes"] * state.counters["M/s"] / triad_GB_per_s;
   omp_set_num_threads(all);
 }
 
@@ -63,7 +66,7 @@ std::vector<Symmetric<Lanes<Real>>> strains() {
 }
 
 template <class Real, class Function>
-void time_function(benchmark::State& state, Function f) {
+void time_function(benchmark::State& state, Function f, double flops, double peak_GFLOPs) {
   auto in = strains<Real>();
   const Stopwatch watch;
   for ([[maybe_unused]] auto once : state) {
@@ -74,15 +77,21 @@ void time_function(benchmark::State& state, Function f) {
     benchmark::ClobberMemory();
   }
   count_particles(state, watch, k_tiles * k_width<Real>);
+  state.counters["flops"] = flops;
+  state.counters["peak"] = 1e-3 * flops * state.counters["M/s"] / peak_GFLOPs;
 }
 
 template <class Real>
-void half_log(benchmark::State& state) {
-  time_function<Real>(state, [](const auto& b) { return half_log1p<Real>(b); });
+void half_log(benchmark::State& state, double peak_GFLOPs) {
+  constexpr double flops = polynomial_flops(std::size(detail::Series<Real>::half_log));
+  time_function<Real>(
+      state, [](const auto& b) { return half_log1p<Real>(b); }, flops, peak_GFLOPs);
 }
 template <class Real>
-void expm1_of_twice(benchmark::State& state) {
-  time_function<Real>(state, [](const auto& h) { return expm1_twice<Real>(h); });
+void expm1_of_twice(benchmark::State& state, double peak_GFLOPs) {
+  constexpr double flops = polynomial_flops(std::size(detail::Series<Real>::expm1));
+  time_function<Real>(
+      state, [](const auto& h) { return expm1_twice<Real>(h); }, flops, peak_GFLOPs);
 }
 
 /// Newton's iteration for the dough of fig. 15 with trial stresses from nothing to one and a half times the yield stress, of
@@ -117,28 +126,27 @@ void return_map(benchmark::State& state, bool quadratic) {
 }
 
 template <class Real>
-void register_in(const std::string& precision) {
+void register_in(const std::string& precision, const Limits& limits, double peak_GFLOPs) {
   const auto add = [&](const std::string& name, auto f, auto... arguments) {
     return benchmark::RegisterBenchmark(("Part/" + name + "/" + precision).c_str(), f, arguments...);
   };
-  const int all = omp_get_max_threads();
-  for (int threads = 1; threads <= all; threads = threads < all ? all : all + 1)
+  for (const int threads : limits.thread_counts())
     benchmark::RegisterBenchmark(("Part/ordering/" + precision + "/500K/threads:" + std::to_string(threads)).c_str(), order_500K<Real>,
-                                 threads)
+                                 threads, threads == 1 ? limits.triad_GB_per_s.one : limits.triad_GB_per_s.all)
         ->Unit(benchmark::kMillisecond)
         ->Iterations(20)
         ->UseRealTime();
-  add("return_map_distance", return_map<Real>, false);
+  add("return_map_distance", return_map<Real>, false);  // how often it iterates is up to the data: no flops are counted
   add("return_map_quadratic", return_map<Real>, true);
-  add("half_log1p", half_log<Real>);
-  add("expm1_twice", expm1_of_twice<Real>);
+  add("half_log1p", half_log<Real>, peak_GFLOPs);
+  add("expm1_twice", expm1_of_twice<Real>, peak_GFLOPs);
 }
 
 }  // namespace
 
-void register_parts() {
-  register_in<float>("single");
-  register_in<double>("double");
+void register_parts(const Limits& limits) {
+  register_in<float>("single", limits, limits.single_GFLOPs.one);
+  register_in<double>("double", limits, limits.double_GFLOPs.one);
 }
 
 }  // namespace bake::bench

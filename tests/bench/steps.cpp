@@ -11,9 +11,9 @@
 
 #include "solver/baker/simulation.h"
 #include "solver/scene/describe.h"
+#include "studies/machines/scenes.h"
 #include "tests/bench/flops.h"
 #include "tests/bench/flowing.h"
-#include "tests/bench/scenes.h"
 #include "tests/bench/stopwatch.h"
 
 namespace bake::bench {
@@ -33,7 +33,7 @@ struct Running {
   std::string name;
   Scene scene;
   std::unique_ptr<Simulation> simulation;
-  double flops, bytes_per_particle, bytes_per_node, flowing;
+  double flops, bytes_per_particle, bytes_per_node, bytes_moved, flowing;
 };
 
 void take_steps(Simulation& simulation, int steps) {
@@ -49,6 +49,10 @@ void describe(Running& running) {
   running.bytes_per_node = static_cast<double>(sizeof(Real)) * make_block_kernel<Real>(running.scene.grid.kernel, *physics)->row_size();
 }
 
+double nodes_per_particle(const Simulation& simulation) {
+  return static_cast<double>(simulation.active_nodes()) / static_cast<double>(simulation.particles());
+}
+
 Running& running(const Subject& subject) {
   static Running now;
   if (now.name == subject.name) return now;
@@ -61,11 +65,12 @@ Running& running(const Subject& subject) {
     describe<double>(now);
   now.simulation = Simulation::begin(now.scene);
   take_steps(*now.simulation, subject.warm_up);
+  now.bytes_moved = 2 * now.bytes_per_particle + k_row_passes * now.bytes_per_node * nodes_per_particle(*now.simulation);
   now.flowing = flowing_share(*now.simulation, now.scene);
   return now;
 }
 
-void time_steps(benchmark::State& state, const Subject& subject, int threads, double peak_GFLOPs) {
+void time_steps(benchmark::State& state, const Subject& subject, int threads, double peak_GFLOPs, double triad_GB_per_s) {
   const int all = omp_get_max_threads();
   const Running& run = running(subject);
   omp_set_num_threads(threads);
@@ -81,11 +86,13 @@ void time_steps(benchmark::State& state, const Subject& subject, int threads, do
   state.counters["ns*core"] = 1e9 * wall * threads / done;
   state.counters["cpu_ns"] = 1e9 * cpu / done;
   state.counters["peak"] = 1e-9 * run.flops * done / wall / peak_GFLOPs;
+  state.counters["triad"] = 1e-9 * run.bytes_moved * done / wall / triad_GB_per_s;
   state.counters["flops"] = run.flops;
+  state.counters["bytes"] = run.bytes_moved;
   state.counters["B/particle"] = run.bytes_per_particle;
   state.counters["B/node"] = run.bytes_per_node;
   state.counters["MiB"] = static_cast<double>(run.simulation->bytes()) / (1 << 20);
-  state.counters["nodes/particle"] = static_cast<double>(run.simulation->active_nodes()) / static_cast<double>(run.simulation->particles());
+  state.counters["nodes/particle"] = nodes_per_particle(*run.simulation);
   state.counters["flowing"] = run.flowing;
   state.counters["orderings"] = static_cast<double>(after.orderings - before.orderings);
 }
@@ -94,7 +101,7 @@ void add(const Subject& subject, const Limits& limits, const std::vector<int>& t
   const Rate& peak = subject.precision == Precision::single_precision ? limits.single_GFLOPs : limits.double_GFLOPs;
   for (const int n : threads)
     benchmark::RegisterBenchmark(fmt::format("Step/{}/threads:{}", subject.name, n).c_str(), time_steps, subject, n,
-                                 n == 1 ? peak.one : peak.all)
+                                 n == 1 ? peak.one : peak.all, n == 1 ? limits.triad_GB_per_s.one : limits.triad_GB_per_s.all)
         ->Iterations(subject.steps)
         ->Unit(benchmark::kMillisecond)
         ->UseRealTime();
@@ -119,18 +126,13 @@ void register_steps(const Limits& limits) {
   if (limits.threads > 1) one_and_all.push_back(limits.threads);
   const std::vector<int> all{limits.threads};
   constexpr Precision precisions[] = {Precision::single_precision, Precision::double_precision};
-  const auto is_any = [](const std::string& name, std::initializer_list<const char*> of) {
-    return std::find(of.begin(), of.end(), name) != of.end();
-  };
-  for (const Combination& c : k_combinations) {
-    if (is_any(c.name, {"heat", "elastic", "plastic", "all"}))
-      for (const Precision precision : precisions) add(loaf_subject(c, precision, 500), limits, one_and_all);
-    else
-      add(loaf_subject(c, Precision::single_precision, 500), limits, all);
-  }
   for (const Combination& c : k_combinations)
-    if (is_any(c.name, {"plastic", "all"}))
-      for (const int thousands : {100, 200, 1000, 2000, 4000}) add(loaf_subject(c, Precision::single_precision, thousands), limits, all);
+    for (const Precision precision : precisions)
+      add(loaf_subject(c, precision, 500), limits, c.name == "all" ? limits.thread_counts() : one_and_all);
+  for (const Combination& c : k_combinations)
+    if (c.name == "plastic" || c.name == "all")
+      for (const int thousands : {100, 200, 1000, 2000, 4000, 8000})
+        add(loaf_subject(c, Precision::single_precision, thousands), limits, all);
   for (const int cells : {25, 100})
     for (const Precision precision : precisions) add(block_subject(precision, cells), limits, one_and_all);
 }

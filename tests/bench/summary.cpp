@@ -38,6 +38,7 @@ void SummaryReporter::ReportRuns(const std::vector<Run>& runs) {
     Figures& figures = full.ends_with("/threads:1") ? row->one : row->all;
     figures.rate.push_back(run.counters.at("M/s"));
     figures.peak.push_back(run.counters.at("peak"));
+    figures.triad.push_back(run.counters.at("triad"));
     figures.cpu_ns.push_back(run.counters.at("cpu_ns"));
   }
 }
@@ -61,11 +62,11 @@ const SummaryReporter::Row* SummaryReporter::row_of(const std::string& name) con
 void SummaryReporter::Finalize() {
   print_limits();
   if (rows_.empty()) return;
-  constexpr const char* k_line = "{:<36}{:>10}{:>11}{:>7}{:>9}{:>9}{:>9}{:>9}\n";
+  constexpr const char* k_line = "{:<36}{:>10}{:>11}{:>7}{:>9}{:>9}{:>9}{:>9}{:>9}\n";
   GetOutputStream() << "\nmillion particle-steps/s\n"
                     << fmt::format(k_line, "", "1 thread", fmt::format("{} threads", limits_.threads), "ratio", "of peak", "of peak",
-                                   "double/", "cpu ns")
-                    << fmt::format(k_line, "", "", "", "", "1", "all", "single", "");
+                                   "of triad", "double/", "cpu ns")
+                    << fmt::format(k_line, "", "", "", "", "1", "all", "all", "single", "");
   for (const Row& row : rows_) {
     const double one = median(row.one.rate), all = median(row.all.rate);
     const bool parallel = all > 0;
@@ -76,7 +77,8 @@ void SummaryReporter::Finalize() {
     const double base = !single ? 0 : median(parallel ? single->all.rate : single->one.rate);
     const double cpu_ns = median(row.one.cpu_ns.empty() ? row.all.cpu_ns : row.one.cpu_ns);
     GetOutputStream() << fmt::format(k_line, row.name, number(one, 1), number(all, 1), ratio(all, one), percent(median(row.one.peak)),
-                                     percent(median(row.all.peak)), ratio(parallel ? all : one, base), number(cpu_ns, 1));
+                                     percent(median(row.all.peak)), percent(median(row.all.triad)), ratio(parallel ? all : one, base),
+                                     number(cpu_ns, 1));
   }
   GetOutputStream() << std::flush;
 }

@@ -19,7 +19,7 @@ class SummaryReporter : public benchmark::ConsoleReporter {
  private:
   /// Of the repetitions of one benchmark.
   struct Figures {
-    std::vector<double> rate, peak, cpu_ns;
+    std::vector<double> rate, peak, triad, cpu_ns;
   };
   struct Row {
     std::string name;

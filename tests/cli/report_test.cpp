@@ -51,6 +51,15 @@ why = "0.5 < 1 & so on"
   const Workplace place;
 };
 
+TEST_F(AReport, ShowsWhatEffectsCostAndChange) {
+  place.write("paper/effects.json", R"({"points": [{"scene": "bun <1>", "effects": "water", "added_cpu_ns": 12.34, "run_cpu_share": 0.25,
+"largest_change_over_error": 17, "of": "water lost"}], "provenance": {"date": "2019-07-01T00:00:00Z", "program": {"commit": "0123456789ab"},
+"machine": {"cpu": "Abacus"}}})");
+  ASSERT_EQ(place.bake("report").exit_code, 0);
+  for (const char* words : {"What each effect costs", "bun &lt;1&gt;", "12.3", "25 %", "water lost", "Abacus"})
+    EXPECT_TRUE(page_has(words)) << words;
+}
+
 TEST_F(AReport, ShowsWhatWasMadeAndWhatWasNot) {
   EXPECT_EQ(place.bake("report").out, "report.html: 0 reproduced, 0 not reproduced, 1 not run, 1 not there yet\n");
   EXPECT_TRUE(page_has("./bake figure dough"));

@@ -31,10 +31,10 @@ fresh_clone() {
   stand_in apt-get 'true'
   stand_in g++ 'echo 12'
   stand_in sudo '"$@"'
-  stand_in cmake 'mkdir -p build/release; touch build/release/build.ninja
-echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/release/CMakeCache.txt
-for word in "$@"; do case $word in -DBAKE_*=ON) word=${word#-D}; echo "${word%=ON}:BOOL=ON" >>build/release/CMakeCache.txt ;; esac; done'
-  stand_in ninja 'for name in bake bake-mesh bake-render bake_bench; do
+  stand_in cmake 'mkdir -p build/$2; touch build/$2/build.ninja
+echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/$2/CMakeCache.txt
+for word in "$@"; do case $word in -DBAKE_*=ON) word=${word#-D}; echo "${word%=ON}:BOOL=ON" >>build/$2/CMakeCache.txt ;; esac; done'
+  stand_in ninja 'for name in bake bake-mesh bake-render bake-count bake_bench; do
 printf "#!/bin/bash\nprintf \"<%%s>\" \"\${0##*/}\" \"\$@\"; exit 7\n" >"$2/$name"; chmod +x "$2/$name"; done'
   stand_in ctest 'echo "100% tests passed"'
   : >"$sandbox/calls"
@@ -88,6 +88,12 @@ run report
 expect "the second time does not configure for figures either" not called "cmake"
 run bench --fast
 expect "benchmarks get their arguments" says '<bake_bench><--fast>'
+run count
+expect "counting checks unless told otherwise" says '<bake-count><check>'
+expect "counting has a build of its own" called "--preset reference"
+expect "counting needs valgrind" called "valgrind"
+run count bless --why 'a reason'
+expect "count gets its arguments" says '<bake-count><bless><--why><a reason>'
 run run bread
 expect "a run after figures is lean again" not called "bake_mesh"
 run test -R Transfer

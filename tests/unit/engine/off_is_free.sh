@@ -50,7 +50,7 @@ expect_same() { # <composition> <effects left out>...
 }
 
 # Numbers as in solver/effects/model_list.h.
-expect_same 3 heat water plasticity leavening free_surface flip  # motion, elasticity
+expect_same 3 heat water moving_water plasticity leavening free_surface flip  # motion, elasticity
 expect_same 10 leavening flip                                    # motion, heat, water, elasticity, plasticity
 
 # The test itself: an effect that is listed cannot be taken away.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/bench/scenes.h"
+#include "studies/machines/scenes.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

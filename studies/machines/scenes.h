@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scenes that are timed.
+// The scenes that are timed: by ./bake bench, ./bake count and the study of effects.
 #pragma once
 
 #include <string>
