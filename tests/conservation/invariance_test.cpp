@@ -238,10 +238,10 @@ Difference turned_and_boosted(double dx, const Rotation& turn, const Vector3& bo
 
 // A grid neither turns nor flies along. It smears the surface, and with it all that is exchanged there, over one cell: of the
 // change of a scalar of a ball of radius R a share of dx/R may depend on how the grid lies. Weights that are exact for linear
-// fields leave a share of (dx/R)^2 of what forces do. Measured for positions of the turned ball: 0.0047, and 0.0039 at half the dx. It falls by
-// so little, since the ball starts 20 K above the temperature at which its pores are at rest: their pressure sends a front in from the
-// surface, which a grid smears. Of a ball that starts at rest they are 0.0042 and 0.0023, without pore gas 0.0052 and 0.0024. The rest is
-// particle noise: 64 particles a cell bring 0.0039 to 0.0031. (No wall and no jitter is in it; without the oven it is the same.)
+// fields leave a share of (dx/R)^2 of what forces do. Measured for positions of the turned ball: 0.0047, and 0.0039 at half the dx. It
+// falls by so little, since the ball starts 20 K above the temperature at which its pores are at rest: their pressure sends a front in from
+// the surface, which a grid smears. Of a ball that starts at rest they are 0.0042 and 0.0023, without pore gas 0.0052 and 0.0024. The rest
+// is particle noise: 64 particles a cell bring 0.0039 to 0.0031. (No wall and no jitter is in it; without the oven it is the same.)
 void expect_within_a_cell(const Rotation& turn, const Vector3& boost) {
   const double coarse = 0.0625, fine = 0.03125;
   const Difference before = turned_and_boosted(coarse, turn, boost), after = turned_and_boosted(fine, turn, boost);
