@@ -17,7 +17,7 @@ Fracture::Crack crack_of(const nlohmann::json& json) { return {json.at("area_m2"
 Fracture::Piece piece_of(const nlohmann::json& json) { return {json.at("volume_m3"), json.at("closed")}; }
 
 Fracture::Frame frame_of(const nlohmann::json& json) {
-  Fracture::Frame frame{json.at("time_s"), json.at("volume_m3"), json.at("crack_area_m2"), {}, {}};
+  Fracture::Frame frame{json.at("time_s"), json.at("crack_area_m2"), json.at("volume_m3"), json.at("cut_volume_m3"), {}, {}};
   for (const auto& crack : json.at("cracks")) frame.cracks.push_back(crack_of(crack));
   for (const auto& piece : json.at("pieces")) frame.pieces.push_back(piece_of(piece));
   return frame;
@@ -37,8 +37,8 @@ Fracture read_fracture(const std::filesystem::path& file) {
     throw InputError(
         fmt::format("{}: cannot open: there is no fracture surface here, allowed: a folder of bake-mesh fracture", file.string()));
   try {
-    Fracture fracture{file, {}};
     const nlohmann::json json = nlohmann::json::parse(in);
+    Fracture fracture{file, json.at("mesh_volume_m3"), {}};
     for (const auto& frame : json.at("frames")) fracture.frames.push_back(frame_of(frame));
     if (fracture.frames.empty()) throw InputError(fmt::format("{}: found no frame", file.string()));
     return fracture;

@@ -24,12 +24,15 @@ struct Fracture {
     bool closed = false;  ///< its surface is a closed manifold
   };
   struct Frame {
-    double time_s = 0, volume_m3 = 0, crack_area_m2 = 0;
+    double time_s = 0, crack_area_m2 = 0;
+    double volume_m3 = 0;      ///< of all pieces
+    double cut_volume_m3 = 0;  ///< of all pieces, laid back into the reference mesh
     std::vector<Crack> cracks;
     std::vector<Piece> pieces;
   };
 
   std::filesystem::path file;
+  double mesh_volume_m3 = 0;  ///< of the reference mesh
   std::vector<Frame> frames;
 
   /// The frame nearest to a time, the last one if none is given.

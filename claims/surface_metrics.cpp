@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Metrics of fracture surfaces: cracks and pieces.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "claims/metric.h"
@@ -32,29 +33,34 @@ double crack_share(const Fracture& fracture, const MetricPlace& at) {
   return all > 0 ? within / all : std::nan("");
 }
 
-double closed_pieces(const Fracture& fracture, const MetricPlace& at) {
+double open_pieces(const Fracture& fracture, const MetricPlace& at) {
   const auto& pieces = fracture.at(at.time_s).pieces;
   return as_number(
-      static_cast<std::size_t>(std::count_if(pieces.begin(), pieces.end(), [](const Fracture::Piece& p) { return p.closed; })));
+      static_cast<std::size_t>(std::count_if(pieces.begin(), pieces.end(), [](const Fracture::Piece& p) { return !p.closed; })));
 }
 
-/// Volume of all pieces over the volume of the mesh that they were made of.
 double pieces_volume(const Fracture& fracture, const MetricPlace& at) {
-  const Fracture::Frame& frame = fracture.at(at.time_s);
-  double sum = 0;
-  for (const Fracture::Piece& piece : frame.pieces) sum += piece.volume_m3;
-  return sum / frame.volume_m3;
+  return fracture.at(at.time_s).volume_m3 / fracture.frames.front().volume_m3;
 }
 
-double second_piece(const Fracture& fracture, const MetricPlace& at) {
+double cut_volume(const Fracture& fracture, const MetricPlace& at) {
+  return fracture.at(at.time_s).cut_volume_m3 / fracture.mesh_volume_m3;
+}
+
+/// Shares of the two largest pieces in the volume of all, the larger one first.
+std::array<double, 2> largest_shares(const Fracture& fracture, const MetricPlace& at) {
+  const Fracture::Frame& frame = fracture.at(at.time_s);
   std::vector<double> volumes{0, 0};
-  double sum = 0;
-  for (const Fracture::Piece& piece : fracture.at(at.time_s).pieces) {
-    volumes.push_back(piece.volume_m3);
-    sum += piece.volume_m3;
-  }
+  for (const Fracture::Piece& piece : frame.pieces) volumes.push_back(piece.volume_m3);
   std::sort(volumes.rbegin(), volumes.rend());
-  return sum > 0 ? volumes[1] / sum : std::nan("");
+  return {volumes[0] / frame.volume_m3, volumes[1] / frame.volume_m3};
+}
+
+double second_piece(const Fracture& fracture, const MetricPlace& at) { return largest_shares(fracture, at)[1]; }
+
+double two_pieces(const Fracture& fracture, const MetricPlace& at) {
+  const auto [first, second] = largest_shares(fracture, at);
+  return first + second;
 }
 
 }  // namespace
@@ -74,9 +80,11 @@ std::vector<Metric> surface_metrics() {
        {"low_m", "high_m"},
        {"time_s"}},
       {"pieces", "1", "number of pieces", nullptr, [](F f, P at) { return as_number(f.at(at.time_s).pieces.size()); }, {}, {"time_s"}},
-      {"closed_pieces", "1", "number of pieces whose surface is closed", nullptr, closed_pieces, {}, {"time_s"}},
-      {"pieces_volume", "1", "volume of all pieces over that of the mesh", nullptr, pieces_volume, {}, {"time_s"}},
+      {"open_pieces", "1", "number of pieces whose surface is not closed", nullptr, open_pieces, {}, {"time_s"}},
+      {"pieces_volume", "1", "volume of all pieces over that at the first of the surface's times", nullptr, pieces_volume, {}, {"time_s"}},
+      {"cut_volume", "1", "volume of all pieces in the reference mesh over that of the mesh", nullptr, cut_volume, {}, {"time_s"}},
       {"second_piece", "1", "volume of the second largest piece over that of all", nullptr, second_piece, {}, {"time_s"}},
+      {"two_pieces", "1", "volume of the two largest pieces over that of all", nullptr, two_pieces, {}, {"time_s"}},
   };
 }
 

@@ -35,6 +35,7 @@ table { border-collapse: collapse; width: 100%; font-size: .9rem; font-variant-n
 caption { text-align: left; padding-bottom: .35rem; }
 th, td { text-align: left; vertical-align: top; padding: .4rem .75rem .4rem 0; border-bottom: 1px solid var(--line); }
 td { min-width: 4.5rem; }
+td:first-child { min-width: 9rem; }
 th { color: var(--soft); font-weight: 600; white-space: nowrap; }
 td ul { margin: 0; padding-left: 1.1rem; }
 code { font: .92em ui-monospace, "DejaVu Sans Mono", "Liberation Mono", monospace; overflow-wrap: anywhere; }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "meshing/fracture/census.h"
 #include "meshing/fracture/depth.h"
@@ -65,6 +66,15 @@ json list(const Things& things) {
   return result;
 }
 
+double volume_of(const std::vector<Piece>& pieces) {
+  return std::accumulate(pieces.begin(), pieces.end(), 0., [](double sum, const Piece& piece) { return sum + piece.volume_m3; });
+}
+
+double volume_of(const TetMesh& mesh) {
+  return std::accumulate(mesh.tets.begin(), mesh.tets.end(), 0.,
+                         [&](double sum, const Tet& tet) { return sum + tet_volume(mesh.points, tet); });
+}
+
 /// One surface as it is written, and what is said of it.
 class Surface {
  public:
@@ -77,14 +87,14 @@ class Surface {
     report_["time_s"] = run.time_s(frame);
     report_["broken_edges"] = std::count_if(broken_at.begin(), broken_at.end(), [](std::int32_t at) { return at >= 0; });
     const std::vector<Crack> found = cracks(surface_, shape_.points);
-    double area = 0, volume = 0;
+    double area = 0;
     for (const Crack& crack : found) area += crack.area_m2;
     const std::vector<Piece> parts = take_census(surface_, pieces_, points_);
-    for (const Piece& piece : parts) volume += piece.volume_m3;
     report_["crack_area_m2"] = area;
     report_["cracks"] = list(found);
     report_["pieces"] = list(parts);
-    report_["volume_m3"] = volume;
+    report_["volume_m3"] = volume_of(parts);
+    report_["cut_volume_m3"] = volume_of(take_census(surface_, pieces_, shape_.points));
   }
 
   const json& report() const { return report_; }
@@ -138,9 +148,13 @@ void write_fracture(const FractureOptions& options, const std::function<void(con
   const Depth depth(topology);
   std::filesystem::create_directories(options.out);
 
-  json report{{"mesh", options.mesh.string()}, {"results", options.results.string()},
-              {"reference_frame", reference},  {"reference_time_s", run.time_s(reference)},
-              {"stretch", rule.stretch},       {"smallest_gap_m", rule.smallest_gap_m},
+  json report{{"mesh", options.mesh.string()},
+              {"results", options.results.string()},
+              {"reference_frame", reference},
+              {"reference_time_s", run.time_s(reference)},
+              {"stretch", rule.stretch},
+              {"smallest_gap_m", rule.smallest_gap_m},
+              {"mesh_volume_m3", volume_of(topology.mesh)},
               {"frames", json::array()}};
   for (int frame = 0; frame <= frames.back(); ++frame) {
     run.read(frame);

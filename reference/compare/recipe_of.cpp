@@ -113,6 +113,7 @@ textbook::Recipe recipe_of(const Scene& scene) {
   r.alpha_w = heat.water_specific_heat_J_per_kgK;
   r.latent_heat = scene.of<Water>().latent_heat_J_per_kg;
   r.leavening_form = plain(scene.of<Leavening>().form);
+  r.pores_open = scene.of<Leavening>().pores == Leavening::Pores::open;
   r.reference_pressure = scene.of<Leavening>().reference_pressure_Pa;
   r.porosity_form = plain(scene.of<Plasticity>().porosity_form);
   if (scene.of<Plasticity>().norm == Plasticity::Norm::quadratic) r.norm = textbook::Norm::quadratic;

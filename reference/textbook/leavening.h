@@ -38,7 +38,8 @@ inline double gas_pressure(const Particle& p, const Recipe& recipe, const Materi
   const double nu_0 = recipe.reference_pressure * m.initial_porosity / (k_gas_constant * (m.theta_0 + k_zero_celsius));
   const double moles = nu_0 + p.nu * recipe.reference_pressure / k_one_atmosphere;
   const double n = hold_pores((p.J - (1 - m.initial_porosity)) / p.J, m);
-  return moles * k_gas_constant * (p.theta + k_zero_celsius) / n - p.J * recipe.reference_pressure;
+  const double pressure = moles * k_gas_constant * (p.theta + k_zero_celsius) / n - p.J * recipe.reference_pressure;
+  return recipe.pores_open ? std::max(pressure, 0.) : pressure;  // air enters
 }
 
 }  // namespace bake::textbook

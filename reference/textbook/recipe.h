@@ -77,6 +77,7 @@ struct Recipe {
   double alpha_w = 0;                            ///< heat capacity of water per mass [J/(kg K)]
   double latent_heat = 0;                        ///< L_v [J/kg]
   double reference_pressure = k_one_atmosphere;  ///< p_ref [Pa]
+  bool pores_open = false;                       ///< pores hold no vacuum
 };
 
 /// A rigid thing that touches dough, at one moment.

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "solver/baker/simulation.h"
@@ -104,7 +105,7 @@ std::string summary_text(const Scene& scene, const Results& results, const std::
   return text;
 }
 
-/// What the run is, and what came of it so far.
+/// What the run is, and what came of it so far. `wall`: seconds it has taken, those before it was resumed among them.
 void save_description(const Scene& scene, const Results& results, const char* state, const std::vector<double>& row, double wall) {
   nlohmann::json summary;
   const auto names = ledger_columns();
@@ -116,6 +117,14 @@ void save_description(const Scene& scene, const Results& results, const char* st
   made["seed"] = scene.run.seed;
   const nlohmann::json all{{"scene", resolved(scene)}, {"provenance", made}, {"summary", summary}};
   write_text_atomically(results.description(), all.dump(2) + "\n");
+}
+
+/// Seconds that the run has taken before it is resumed; none if its description is lost. (Not part of the checkpoint: a run that was
+/// interrupted ends with the same checkpoint, bit for bit, as one that was not.)
+double wall_so_far(const Results& results) {
+  std::ifstream in(results.description());
+  const nlohmann::json run = nlohmann::json::parse(in, nullptr, false);
+  return run.is_object() ? run.value(nlohmann::json::json_pointer("/summary/wall_s"), 0.0) : 0.0;
 }
 
 void make_folder(const std::filesystem::path& folder) {
@@ -142,11 +151,13 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
 
   std::unique_ptr<Simulation> simulation;
   int frame = 0;
+  double wall_before = 0;
   if (options.resume) {
     const CheckpointReader checkpoint(results.checkpoint());
     checkpoint.expect(scene_fingerprint(scene), scene.run.precision);
     simulation = Simulation::resume(scene, checkpoint);
     frame = static_cast<int>(checkpoint.value<std::int64_t>("frame"));
+    wall_before = wall_so_far(results);
   } else {
     simulation = Simulation::begin(scene);  // before anything is written: a bad scene leaves old results alone
     make_folder(results.folder);
@@ -155,6 +166,7 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
   make_folder(results.frames());
 
   const double began = steady_seconds();
+  const auto wall = [&] { return wall_before + steady_seconds() - began; };
   const std::int64_t old_steps = simulation->counters().particle_steps;
   Progress progress(progress_on_stderr(options.quiet));
   std::vector<double> first = simulation->ledger_row(), last = first;
@@ -167,7 +179,7 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
     save_series(scene, results, 0);
     ledger.append(first);
   }
-  save_description(scene, results, "running", last, 0);
+  save_description(scene, results, "running", last, wall());
 
   const auto stand = [&](int done) {
     return Standing{done,
@@ -178,9 +190,8 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
                     static_cast<std::uint64_t>(simulation->counters().particle_steps - old_steps)};
   };
   const auto finish = [&](const char* state) {
-    const double wall = steady_seconds() - began;
-    save_description(scene, results, state, last, wall);
-    return summary_text(scene, results, first, last, wall, simulation->counters().particle_steps - old_steps);
+    save_description(scene, results, state, last, wall());
+    return summary_text(scene, results, first, last, steady_seconds() - began, simulation->counters().particle_steps - old_steps);
   };
   const auto advance = [&] {
     try {
@@ -189,7 +200,7 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
         return !StopSignals::asked();
       });
     } catch (const RunError&) {
-      save_description(scene, results, "failed", last, steady_seconds() - began);
+      save_description(scene, results, "failed", last, wall());
       throw;
     }
   };
@@ -204,8 +215,10 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
       progress.update(stand(frame));
     }
     const bool stop = StopSignals::asked() && frame < frames;
-    if (stop || frame == frames || (reached && frame % scene.run.checkpoint_every_frames == 0))
+    if (stop || frame == frames || (reached && frame % scene.run.checkpoint_every_frames == 0)) {
       save_checkpoint(scene, results, *simulation, frame);
+      save_description(scene, results, "running", last, wall());  // the time it took must not be lost if it is killed
+    }
     if (stop)
       return {
           finish("interrupted") + fmt::format("\n  interrupted at {:.6g} s; checkpoint written, go on with --resume", simulation->time()),

@@ -16,13 +16,20 @@ struct Leavening {
   static constexpr const char* name = "leavening";
   static constexpr const char* meaning = "leavener makes CO2 when warm; the gas in the pores pushes against the atmosphere";
 
+  /// What happens where pores are pulled wider than their gas fills them at the atmosphere's pressure.
+  enum class Pores { closed, open };
+  friend constexpr auto choice_names(Pores) { return std::array{"closed", "open"}; }
+
   struct Settings {
     Form form = Form::standard;
+    Pores pores = Pores::closed;
     double reference_pressure_Pa = 101325;
     static constexpr auto parameters() {
       return std::tuple{
           Parameter{"form", &Settings::form, "", any_number,
                     "pore gas against the atmosphere (standard) or [Ding19 Eq. 13] as printed (published)"},
+          Parameter{"pores", &Settings::pores, "", any_number,
+                    "pores pulled wider than their gas fills: \"closed\", a vacuum pulls back; \"open\", air enters (form = \"standard\")"},
           Parameter{"reference_pressure_Pa", &Settings::reference_pressure_Pa, "Pa", positive,
                     "p_ref: pressure of the atmosphere; a lower one, with the moles scaled alike, keeps the equilibrium volume "
                     "and softens the pores (larger steps)"},
@@ -60,7 +67,7 @@ struct Leavening {
   struct Constants {
     Real peak_rate, theta_r, inverse_width, total, n_0, nu_0, p_ref, scale;
     Real least, most;  ///< between which the pore fraction is held; n_0 lies between them, so that fresh dough is free of stress
-    bool finite, published, published_porosity;
+    bool finite, published, published_porosity, open;
     template <class Scene, class Substance>
     Constants(const Scene& scene, const Substance& substance) {
       const auto& m = std::get<Material>(substance.effects);
@@ -78,6 +85,7 @@ struct Leavening {
       nu_0 = static_cast<Real>(settings.reference_pressure_Pa * substance.initial_porosity /
                                (k_gas_constant * (substance.initial_temperature_C + 273.15)));
       published = settings.form == Form::published;
+      open = settings.pores == Pores::open;
       published_porosity = std::get<Plasticity::Settings>(scene.settings).porosity_form == Form::published;
     }
   };
@@ -112,6 +120,7 @@ struct Leavening {
 
   /// - J [(nu_0 + nu) R theta_K / (J n) - p_ref] I with J n = J - (1 - n_0): all pore gas, against the atmosphere.
   /// DEPARTS [Ding19 Eq. 13]: as printed only the CO2 counts, theta is not absolute and nothing pushes back.
+  /// Open pores hold no vacuum: crust and crumb are full of broken walls, so that air follows where they are torn apart.
   template <class P, class K>
   BAKE_INLINE static void stress(P& p, const K& k) {
     using V = typename P::V;
@@ -126,7 +135,8 @@ struct Leavening {
     }
     const V pores = clamp(J - (1 - k.n_0), k.least * J, k.most * J);
     const V moles = Real(k_gas_constant) * (k.nu_0 + k.scale * p[field::nu]) * (p[field::theta] + Real(273.15));
-    const V pressure = J * (moles / pores - k.p_ref);
+    V pressure = J * (moles / pores - k.p_ref);
+    if (k.open) pressure = max(pressure, 0 * pressure);
     for (int i = 0; i < 3; ++i) p[field::tau][i] -= pressure;
     p.stiffness += J * J * moles / (pores * pores);
   }

@@ -80,6 +80,11 @@ void check(const SceneEntry& entry, const TimeSettings& value, const Scene&) {
               fmt::format("found {}, allowed: at most largest_step_s = {}", value.smallest_step_s, value.largest_step_s));
 }
 
+void check(const SceneEntry& entry, const Leavening::Settings& value, const Scene&) {
+  if (value.pores == Leavening::Pores::open && value.form == Form::published)
+    complain_at(entry, "pores", "found \"open\", allowed: \"closed\" with form = \"published\", which knows no atmosphere");
+}
+
 void check(const SceneEntry& entry, const Material& value, const Scene& scene) {
   if (value.name.empty()) complain_at(entry, "name", "found \"\", allowed: a name");
   for (const Material& other : scene.materials) {

@@ -11,6 +11,7 @@ namespace bake {
 // effects and tables, then materials, then the other lists.
 void check(const SceneEntry& entry, const DomainSettings& value, const Scene& scene);
 void check(const SceneEntry& entry, const TimeSettings& value, const Scene& scene);
+void check(const SceneEntry& entry, const Leavening::Settings& value, const Scene& scene);
 void check(const SceneEntry& entry, const Material& value, const Scene& scene);
 void check(const SceneEntry& entry, const Body& value, const Scene& scene);
 void check(const SceneEntry& entry, const Collider& value, const Scene& scene);

@@ -58,6 +58,7 @@ void read_settings(const SceneEntry& root, Scene& scene) {
   using Settings = typename Effect::Settings;
   const SceneEntry entry = root.find(Effect::name).value_or(root.absent_table(Effect::name));
   std::get<Settings>(scene.settings) = read_table<Settings>(entry, demand_of(Effect::name, scene));
+  check(entry, std::get<Settings>(scene.settings), scene);
 }
 
 template <class T>

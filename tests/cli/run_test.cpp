@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "tests/cli/program.h"
@@ -37,9 +38,15 @@ TEST(Run, InterruptedAndResumedGivesTheSameBitsAsNeverStopped) {
   const Outcome stopped = place.bake(std::string(k_long) + " --out parts" + until_under_way);
   ASSERT_EQ(stopped.exit_code, 3) << "the run was over before the signal: make it longer";
   EXPECT_TRUE(fs::exists(place.folder() / "parts/checkpoint.h5"));
+  // as if the first part had taken an hour
+  nlohmann::json run = nlohmann::json::parse(contents(place.folder() / "parts/run.json"));
+  EXPECT_GT(run["summary"]["wall_s"], 0);
+  run["summary"]["wall_s"] = 3600;
+  place.write("parts/run.json", run.dump());
   ASSERT_EQ(place.bake(std::string(k_long) + " --out parts --resume").exit_code, 0);
   EXPECT_EQ(contents(place.folder() / "whole/checkpoint.h5"), contents(place.folder() / "parts/checkpoint.h5"));
   EXPECT_EQ(contents(place.folder() / "whole/ledger.csv"), contents(place.folder() / "parts/ledger.csv"));
+  EXPECT_GT(nlohmann::json::parse(contents(place.folder() / "parts/run.json"))["summary"]["wall_s"], 3600) << "of both parts";
 }
 
 TEST(Run, ThatCannotGoOnSaysWhyAndLeavesACheckpointOfItsLastFrame) {

@@ -189,6 +189,7 @@ std::vector<RandomScene> every_form() {
       {.name = "published_porosity", .plasticity = "porosity_form = \"published\""},
       {.name = "published_leavening", .leavening = "form = \"published\""},
       {.name = "soft_pores", .leavening = "reference_pressure_Pa = 4000"},
+      {.name = "open_pores", .leavening = "reference_pressure_Pa = 4000\npores = \"open\""},
       {.name = "finite_leavener", .material = "leavener_mol_per_m3 = 3"},
       {.name = "published_surface", .surface = "form = \"published\""},
   };

@@ -16,6 +16,8 @@
 namespace bake {
 namespace {
 
+bool without_meshes() { return !std::filesystem::exists(std::filesystem::path(BAKE_PROGRAM).parent_path() / "bake-mesh"); }
+
 /// A figure made in a folder of its own: exit code and claims.json.
 class Made {
  public:
@@ -42,7 +44,7 @@ class Made {
 };
 
 TEST(Figure15, LoavesExpandAndSlitsOpenButTheTopDoesNotCrack) {
-  if (!std::filesystem::exists(std::filesystem::path(BAKE_PROGRAM).parent_path() / "bake-mesh")) GTEST_SKIP() << "bake-mesh is not built";
+  if (without_meshes()) GTEST_SKIP() << "bake-mesh is not built";
   const Made figure(15, "bread");
   ASSERT_LE(figure.exit_code, 1) << figure.errors;
   std::set<std::string> missed;
@@ -58,6 +60,15 @@ TEST(Figure15, LoavesExpandAndSlitsOpenButTheTopDoesNotCrack) {
     const auto surface = figure.last_surface(name);
     for (const auto& piece : surface["pieces"]) EXPECT_TRUE(piece["closed"].get<bool>());
   }
+}
+
+TEST(Figure16, LoafIsTornInTwo) {
+  if (without_meshes()) GTEST_SKIP() << "bake-mesh is not built";
+  const Made figure(16, "tearing");
+  ASSERT_LE(figure.exit_code, 1) << figure.errors;
+  for (const auto& claim : figure.claims) EXPECT_TRUE(claim["holds"].get<bool>()) << claim.dump(1);
+  EXPECT_EQ(figure.exit_code, 0);
+  EXPECT_GE(figure.claims.size(), 7u);
 }
 
 }  // namespace

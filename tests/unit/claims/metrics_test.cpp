@@ -122,12 +122,14 @@ TEST_F(FrameMetrics, TellADomeFromADent) {
   }
 }
 
-constexpr const char* k_fracture = R"({"frames": [
- {"frame": 0, "time_s": 0, "broken_edges": 0, "crack_area_m2": 0, "cracks": [], "volume_m3": 2, "pieces": [{"vertices": 4, "volume_m3": 2, "closed": true}]},
- {"frame": 9, "time_s": 3, "broken_edges": 5, "crack_area_m2": 0.4, "volume_m3": 2,
+constexpr const char* k_fracture = R"({"mesh_volume_m3": 1, "frames": [
+ {"frame": 0, "time_s": 0, "broken_edges": 0, "crack_area_m2": 0, "cracks": [],
+  "volume_m3": 2, "cut_volume_m3": 1, "pieces": [{"vertices": 4, "volume_m3": 2, "closed": true}]},
+ {"frame": 9, "time_s": 3, "broken_edges": 5, "crack_area_m2": 0.4, "volume_m3": 2.5, "cut_volume_m3": 0.75,
   "cracks": [{"area_m2": 0.3, "length_m": 1, "centre_m": [0, 0, 1], "low_m": [0, 0, 0], "high_m": [0, 0, 0]},
              {"area_m2": 0.1, "length_m": 0.5, "centre_m": [0, 0, 0], "low_m": [0, 0, 0], "high_m": [0, 0, 0]}],
-  "pieces": [{"vertices": 3, "volume_m3": 1.25, "closed": true}, {"vertices": 1, "volume_m3": 0.75, "closed": false}]}]})";
+  "pieces": [{"vertices": 1, "volume_m3": 0.625, "closed": false}, {"vertices": 3, "volume_m3": 1.5625, "closed": true},
+             {"vertices": 1, "volume_m3": 0.3125, "closed": true}]}]})";
 
 class SurfaceMetrics : public testing::Test {
  protected:
@@ -142,10 +144,12 @@ TEST_F(SurfaceMetrics, CountAndMeasureCracksAndPieces) {
   EXPECT_EQ(measure("cracks"), 2);
   EXPECT_EQ(measure("crack_area"), 0.4);
   EXPECT_EQ(measure("crack_length"), 1.5);
-  EXPECT_EQ(measure("pieces"), 2);
-  EXPECT_EQ(measure("closed_pieces"), 1);
-  EXPECT_EQ(measure("pieces_volume"), 1);
-  EXPECT_EQ(measure("second_piece"), 0.375);
+  EXPECT_EQ(measure("pieces"), 3);
+  EXPECT_EQ(measure("open_pieces"), 1);
+  EXPECT_EQ(measure("pieces_volume"), 1.25);
+  EXPECT_EQ(measure("cut_volume"), 0.75);
+  EXPECT_EQ(measure("second_piece"), 0.25);
+  EXPECT_EQ(measure("two_pieces"), 0.875);
 }
 
 TEST_F(SurfaceMetrics, LookAtTheFrameThatIsAskedFor) {
@@ -153,6 +157,7 @@ TEST_F(SurfaceMetrics, LookAtTheFrameThatIsAskedFor) {
   start.time_s = 1;
   EXPECT_EQ(measure("cracks", start), 0);
   EXPECT_EQ(measure("second_piece", start), 0);
+  EXPECT_EQ(measure("two_pieces", start), 1);
 }
 
 TEST_F(SurfaceMetrics, FindTheShareOfTheCracksInABox) {

@@ -185,6 +185,13 @@ TEST(SceneError, EndlessKeysAndNestingDoNotExhaustTheStack) {
   EXPECT_NE(error_of("[" + legal_key + "b]\n" + legal_key + "b = 1\n").find("unknown key 'a'"), std::string::npos);
 }
 
+TEST(SceneError, OpenPoresNeedAnAtmosphere) {
+  const std::string open = k_least + "[leavening]\npores = \"open\"\n";
+  EXPECT_EQ(error_of(open + "form = \"published\"\n"),
+            "bread.toml:10: leavening.pores: found \"open\", allowed: \"closed\" with form = \"published\", which knows no atmosphere");
+  EXPECT_EQ(error_of(replaced(open, "open", "opne")), "bread.toml:10: leavening.pores: found \"opne\", allowed: \"closed\" or \"open\"");
+}
+
 TEST(SceneError, TextOfTheUserStaysOnOneLineAndShort) {
   const std::string message = error_of(replaced(k_least, "end_s = 2", "end_s = \"a\\nb" + std::string(1000, 'x') + "\""));
   EXPECT_LT(message.size(), 200u);
