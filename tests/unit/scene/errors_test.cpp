@@ -189,7 +189,7 @@ TEST(SceneError, OpenPoresNeedAnAtmosphere) {
   const std::string open = k_least + "[leavening]\npores = \"open\"\n";
   EXPECT_EQ(error_of(open + "form = \"published\"\n"),
             "bread.toml:10: leavening.pores: found \"open\", allowed: \"closed\" with form = \"published\", which knows no atmosphere");
-  EXPECT_EQ(error_of(replaced(open, "open", "opne")), "bread.toml:10: leavening.pores: found \"opne\", allowed: \"closed\" or \"open\"");
+  EXPECT_EQ(error_of(replaced(open, "open", "opne")), "bread.toml:10: leavening.pores: unknown name 'opne', did you mean 'open'?");
 }
 
 TEST(SceneError, TextOfTheUserStaysOnOneLineAndShort) {
