@@ -119,6 +119,7 @@ std::vector<ClaimVerdict> judge(const Claim& claim, const MetricWords& words, co
 
 std::string table(const std::vector<ClaimVerdict>& verdicts) {
   std::vector<TableRow> rows;
+  rows.reserve(verdicts.size());
   for (const ClaimVerdict& v : verdicts)
     rows.push_back(
         {v.of.empty() ? v.metric : fmt::format("{} of {}", v.metric, v.of), v.measured, v.unit, v.condition, v.kind, v.holds, v.why});

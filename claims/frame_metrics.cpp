@@ -96,8 +96,8 @@ std::array<double, 2> axis_of(const Results& run) {
     sum[0] += static_cast<double>(positions[i]);
     sum[1] += static_cast<double>(positions[i + 1]);
   }
-  const auto count = static_cast<double>(positions.size() / 3);
-  return {sum[0] / count, sum[1] / count};
+  const std::size_t count = positions.size() / 3;
+  return {sum[0] / static_cast<double>(count), sum[1] / static_cast<double>(count)};
 }
 
 double distance_from(const std::array<double, 2>& axis, const Vector3& place) { return std::hypot(place[0] - axis[0], place[1] - axis[1]); }

@@ -137,6 +137,7 @@ std::vector<Verdict> check(const Reference& reference, const Results& results) {
 
 std::string table(const std::vector<Verdict>& verdicts) {
   std::vector<TableRow> rows;
+  rows.reserve(verdicts.size());
   for (const Verdict& v : verdicts)
     rows.push_back({v.expectation.name, v.measured, find_metric(v.expectation.name).unit, v.expectation.words(), v.expectation.kind,
                     v.holds(), v.expectation.why});

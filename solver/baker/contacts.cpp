@@ -75,11 +75,11 @@ void Contacts::prepare(double time) {
 bool Contacts::near(const BlockIndex& block, double reach) const {
   const Point low = lattice_.origin(block);
   const double side = 3 * lattice_.dx();
-  reach += touching();
-  for (const DomainFace& f : faces_) {
+  for (const DomainFace& f : faces_) {  // as touching as for the block's nodes: the face may go through its last ones
     const double a = low[static_cast<std::size_t>(f.axis)];
-    if (f.sign > 0 ? a <= f.at : a + side >= f.at) return true;
+    if (f.sign > 0 ? a <= f.at + touching() : a + side >= f.at - touching()) return true;
   }
+  reach += touching();
   return std::any_of(present_.begin(), present_.end(), [&](const Present& p) { return reaches(p, block, reach); });
 }
 

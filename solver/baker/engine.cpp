@@ -25,12 +25,6 @@ void book_impulse(const Point& x, const Vector3& impulse, Bookings& booked) {
   }
 }
 
-/// Node number `n` of the block whose first node is at `origin`.
-Point node_position(const Point& origin, double dx, int n) {
-  const int x = n / 16, y = n / 4 % 4, z = n % 4;
-  return origin + dx * Vector3{double(x), double(y), double(z)};
-}
-
 /// Every node with mass gets m dv; the sum acts at the block's centre of mass.
 template <class Real>
 void book_gravity(const Real* mass, const Point& origin, double dx, const Vector3& dv, Bookings& booked) {
@@ -39,9 +33,7 @@ void book_gravity(const Real* mass, const Point& origin, double dx, const Vector
   for (int n = 0; n < k_block_nodes; ++n) {
     const auto m_n = static_cast<double>(mass[n]);
     m += m_n;
-    first[0] += m_n * (n / 16);
-    first[1] += m_n * (n / 4 % 4);
-    first[2] += m_n * (n % 4);
+    first = first + m_n * node_position({0, 0, 0}, 1, n);
   }
   if (m > 0) book_impulse(origin + (dx / m) * first, m * dv, booked);
 }

@@ -90,7 +90,7 @@ void Engine<Real>::add(const std::vector<NewParticle>& particles, bool poured) {
 template <class Real>
 void Engine<Real>::scatter_new(const ParticleStore<Real>& fresh, const std::vector<Real>& start, bool poured) {
   constexpr int W = k_width<Real>;
-  const auto rows_per_particle = static_cast<std::size_t>(4 * kernel_->row_size());
+  const std::size_t rows_per_particle = 4 * static_cast<std::size_t>(kernel_->row_size());
   const Step<Real> step = current_step();
   BlockWork<Real> w = work(step);
   w.scattered = grid_.data();

@@ -26,6 +26,12 @@ inline constexpr int k_mirrored = 4;
 /// Node of a block, 0..63, from its coordinates 0..3.
 constexpr int node_in_block(int x, int y, int z) { return (x * 4 + y) * 4 + z; }
 
+/// Where that node is [m], of a block whose first one is at `origin`.
+inline Point node_position(const Point& origin, double dx, int node) {
+  const int x = node / 16, y = node / 4 % 4, z = node % 4;
+  return origin + dx * Vector3{double(x), double(y), double(z)};
+}
+
 /// Where blocks and nodes are in space.
 class Lattice {
  public:

@@ -95,7 +95,7 @@ void FreeSurfaceMeasure<Real>::measure_published(const ParticleStore<Real>& stor
     const bool near_contact = contacts.near(active.at[s], lattice.dx());
     BlockSurroundings<Real>& out = surroundings_[s];
     for (int k = 0; k < k_block_nodes; ++k) {
-      const Point x = lattice.origin(active.at[s]) + lattice.dx() * Vector3{double(k / 16), double(k / 4 % 4), double(k % 4)};
+      const Point x = node_position(lattice.origin(active.at[s]), lattice.dx(), k);
       const auto cover = near_contact && out.area[k] > 0 ? contacts.covering(x, std::nullopt, lattice.dx()) : std::nullopt;
       const Real A = out.area[k];
       if (cover) out.contact_area[k] = A, out.area[k] = 0;

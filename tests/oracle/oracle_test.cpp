@@ -112,7 +112,8 @@ std::vector<RandomScene> every_model() {
   return all;
 }
 
-/// Whatever comes and goes, holds and is held; in the model of everything.
+/// Whatever comes and goes, holds and is held; in the model of everything. No node lies as deep below one side of a box as below
+/// another: which normal it gets would be round-off's choice.
 std::vector<RandomScene> every_boundary() {
   const std::string held = R"(
 [[grip]]
@@ -130,12 +131,12 @@ saturation = 0.1
 )";
   const std::string gone = R"(
 [[collider]]
-shape = { box = { centre_m = [0.02, 0.01, 0.19], half_extents_m = [0.3, 0.3, 0.11] } }
+shape = { box = { centre_m = [0.0213, 0.0127, 0.1931], half_extents_m = [0.3, 0.3, 0.11] } }
 contact = "slip"
 friction = 0.3
 until_s = 0.01
 [[collider]]
-shape = { box = { centre_m = [0.02, 0.01, -0.18], half_extents_m = [0.3, 0.3, 0.09] } }
+shape = { box = { centre_m = [0.0213, 0.0127, -0.1831], half_extents_m = [0.3, 0.3, 0.09] } }
 contact = "slip"
 from_s = 0.02
 )";
