@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "solver/boundary/shape.h"
+#include "solver/boundary/vector3.h"
 #include "solver/particles/store.h"
 #include "solver/scene/settings.h"
 
