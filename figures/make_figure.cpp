@@ -18,12 +18,20 @@ bool MadeFigure::holds() const {
   return std::all_of(verdicts.begin(), verdicts.end(), [](const ClaimVerdict& v) { return v.holds; });
 }
 
+namespace {
+
+Computed compute(const Item& item) {
+  const ComputedItem* own = find_computed(item.experiment);
+  return own ? own->compute() : Computed{};
+}
+
+}  // namespace
+
 ReadFigure read_figure(const Items& items, const Item& item) {
   if (item.status != ItemStatus::done)
     throw InputError(
         fmt::format("{} ({}): {}, allowed: an item that is done (bake list figures)", item.number, item.name, word_of(item.status)));
-  const ComputedItem* own = find_computed(item.experiment);
-  Computed computed = own ? own->compute() : Computed{};
+  Computed computed = compute(item);
   return {read_figure(items.figure_file_of(item), names_of(computed)), std::move(computed)};
 }
 
@@ -39,11 +47,12 @@ void check_programs(const Place& place) {
 }  // namespace
 
 MadeFigure make_figure(const Items& items, const Item& item, const MakeOptions& options) {
-  const auto [figure, computed] = read_figure(items, item);
+  auto [figure, computed] = read_figure(items, item);
   const Place place{item, figure, options};
   check_programs(place);
   make_runs(place);
   if (!options.only_run.empty()) return {{}, {}, place.run(options.only_run)};
+  if (!figure.runs.empty()) computed = compute(item);  // it may be about its runs
   make_surfaces(place);
   if (options.pictures) make_pictures(place);
   make_charts(place, computed);

@@ -38,6 +38,7 @@ Html orders_section(const std::filesystem::path& root);
 Html departures_section(const std::filesystem::path& root);
 Html stability_section(const std::filesystem::path& root);
 Html effects_section(const std::filesystem::path& root);
+Html accuracy_section(const std::filesystem::path& root);
 
 /// A file of JSON; nothing if it is not there. Throws InputError if it is damaged.
 std::optional<nlohmann::json> read_json(const std::filesystem::path& file);

@@ -101,7 +101,8 @@ Report make_report(const Items& items, Quality quality) {
   }
   std::vector<Html> parts{heading(quality), overview(all, report)};
   parts.insert(parts.end(), sections.begin(), sections.end());
-  for (const auto& section : {orders_section, departures_section, stability_section, effects_section}) parts.push_back(section(items.root));
+  for (const auto& section : {orders_section, accuracy_section, departures_section, stability_section, effects_section})
+    parts.push_back(section(items.root));
   parts.push_back(missing_section(missing));
   report.page = page(parts).code;
   return report;

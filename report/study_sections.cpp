@@ -111,4 +111,27 @@ Html effects_section(const std::filesystem::path& root) {
       *study, table({"scene", "without", "ns per particle-step", "of the run", "change over error", "of"}, rows));
 }
 
+Html accuracy_section(const std::filesystem::path& root) {
+  const auto study = read_json(root / "paper/accuracy.json");
+  if (!study) return {};
+  std::vector<std::vector<Html>> rows;
+  std::vector<Html> parts;
+  for (const json& one : study->at("cases")) {
+    const auto cell = [](const json& at) {
+      return text(at.is_null() ? "not reached" : fmt::format("{}, {} cells", word(at, "setting"), at.at("cells").get<int>()));
+    };
+    rows.push_back({text(word(one, "case"))});
+    for (const json& goal : one.at("goals")) rows.back().push_back(cell(goal.at("by_particle_steps")));
+    std::vector<Html> sentences{element("h3", text(word(one, "case"))), element("p", text(word(one, "measured")), "class=\"soft\"")};
+    const auto chart = root / "paper/accuracy" / (word(one, "case") + ".svg");
+    if (std::filesystem::exists(chart)) sentences.push_back(picture(chart, "Error against cost: " + word(one, "measured")));
+    for (const json& sentence : one.at("conclusions")) sentences.push_back(element("p", text(sentence.get<std::string>())));
+    parts.push_back(join(sentences));
+  }
+  parts.insert(parts.begin(), table({"cheapest for", "10 %", "3 %", "1 %", "0.3 %"}, rows));
+  return study_section("accuracy", "What accuracy costs",
+                       "Relative errors against exact solutions or fine runs, beside the particle-steps and the time that they cost.",
+                       *study, join(parts));
+}
+
 }  // namespace bake::report

@@ -8,8 +8,7 @@
 
 namespace bake::studies {
 
-std::unique_ptr<Simulation> Setting::begin() const {
-  omp_set_num_threads(threads);
+Scene Setting::scene() const {
   const std::string text = fmt::format(R"(
 effects = [{}]
 [run]
@@ -37,7 +36,12 @@ density_kg_per_m3 = 1
 )",
                                        effects, 1 / end_s, dx, kernel, low[0], low[1], low[2], high[0], high[1], high[2], faces, surface,
                                        time, motion, material, tables);
-  return Simulation::begin(parse_scene(text, "study.toml"));
+  return parse_scene(text, "study.toml", {Quality::paper, overrides});
+}
+
+std::unique_ptr<Simulation> Setting::begin() const {
+  omp_set_num_threads(threads);
+  return Simulation::begin(scene());
 }
 
 void run_to(Simulation& simulation, double time) { simulation.advance(time, time); }

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "solver/baker/simulation.h"
 #include "solver/boundary/vector3.h"
@@ -20,10 +21,12 @@ struct Setting {
   std::string surface;                     ///< keys of [surface]
   std::string time = "safety = 1";         ///< keys of [time]
   std::string motion = "gravity_m_per_s2 = [0, 0, 0]";
-  std::string material;  ///< keys of the material "dough" besides its density
-  std::string tables;    ///< further tables, the bodies among them
-  int threads = 1;       ///< most settings are too small to share
+  std::string material;                ///< keys of the material "dough" besides its density
+  std::string tables;                  ///< further tables, the bodies among them
+  int threads = 1;                     ///< most settings are too small to share
+  std::vector<std::string> overrides;  ///< `key=value`, as for parse_scene
 
+  Scene scene() const;
   std::unique_ptr<Simulation> begin() const;
 };
 

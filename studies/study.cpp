@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "studies/study.h"
 
+#include "studies/accuracy/accuracy.h"
 #include "studies/convergence/convergence.h"
 #include "studies/departures/departures.h"
 #include "studies/effects/effects.h"
@@ -11,6 +12,7 @@ namespace bake::studies {
 
 const std::vector<Study>& all_studies() {
   static const std::vector<Study> studies{
+      {"accuracy", "What an error costs: work-precision of every setting, and the scenes' defaults among them", run_accuracy},
       {"convergence", "Orders of convergence against exact solutions", run_convergence},
       {"departures", "What the printed equations do where this solver departs from them", run_departures},
       {"effects", "What each effect costs in time and memory, and what leaving it out changes", run_effects},

@@ -10,8 +10,10 @@ namespace bake::studies {
 
 struct StudyOptions {
   bool quick = false;              ///< the resolutions of the tests instead of all
+  bool full = false;               ///< of accuracy: what takes a night, too
   std::filesystem::path out;       ///< folder of the tables; made if it is not there
-  std::vector<std::string> cases;  ///< of convergence: only these are measured, the others' rows stay as they stand in the folder
+  std::vector<std::string> cases;  ///< of convergence and accuracy: only these are measured, the others stay as they stand in the folder
+  std::string reference;           ///< of accuracy: make this case's reference and nothing else
 };
 
 /// A study by name. `run` prints its table, writes it to the folder, and returns whether everything held that was claimed.

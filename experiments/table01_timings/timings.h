@@ -7,7 +7,7 @@
 
 namespace bake {
 
-/// Table 1: published timings beside those of the runs that are in ./results.
+/// Table 1: published timings beside those of the runs that are in ./results, or stored in experiments/table01_timings/measured.
 Computed table01_timings();
 
 /// The same with the published numbers of the sources in `root` and the runs in the folder `results`. Throws InputError.

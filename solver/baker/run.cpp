@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 #include <omp.h>
+#include <sys/resource.h>
 
 #include <atomic>
+#include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -105,13 +108,30 @@ std::string summary_text(const Scene& scene, const Results& results, const std::
   return text;
 }
 
-/// What the run is, and what came of it so far. `wall`: seconds it has taken, those before it was resumed among them.
-void save_description(const Scene& scene, const Results& results, const char* state, const std::vector<double>& row, double wall) {
+double peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024. * static_cast<double>(usage.ru_maxrss);
+}
+
+/// Processes that wait for a processor, over the last minute: above the number of cores, the time is not this run's alone.
+double load_average() {
+  double load = 0;
+  return getloadavg(&load, 1) == 1 ? load : std::nan("");
+}
+
+/// What the run is, and what came of it so far. `wall`: seconds it has taken, those before it was resumed among them, for so many
+/// `particle_steps`.
+void save_description(const Scene& scene, const Results& results, const char* state, const std::vector<double>& row, double wall,
+                      std::int64_t particle_steps) {
   nlohmann::json summary;
   const auto names = ledger_columns();
   for (std::size_t i = 0; i < row.size(); ++i) summary[names[i]] = row[i];
   summary["state"] = state;
   summary["wall_s"] = wall;
+  summary["particle_steps"] = particle_steps;
+  summary["peak_memory_bytes"] = peak_memory_bytes();
+  summary["load_average"] = load_average();
   nlohmann::json made = provenance();
   made["threads"] = omp_get_max_threads();
   made["seed"] = scene.run.seed;
@@ -179,7 +199,7 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
     save_series(scene, results, 0);
     ledger.append(first);
   }
-  save_description(scene, results, "running", last, wall());
+  save_description(scene, results, "running", last, wall(), simulation->counters().particle_steps);
 
   const auto stand = [&](int done) {
     return Standing{done,
@@ -190,7 +210,7 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
                     static_cast<std::uint64_t>(simulation->counters().particle_steps - old_steps)};
   };
   const auto finish = [&](const char* state) {
-    save_description(scene, results, state, last, wall());
+    save_description(scene, results, state, last, wall(), simulation->counters().particle_steps);
     return summary_text(scene, results, first, last, steady_seconds() - began, simulation->counters().particle_steps - old_steps);
   };
   const auto advance = [&] {
@@ -200,7 +220,7 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
         return !StopSignals::asked();
       });
     } catch (const RunError&) {
-      save_description(scene, results, "failed", last, wall());
+      save_description(scene, results, "failed", last, wall(), simulation->counters().particle_steps);
       throw;
     }
   };
@@ -217,7 +237,8 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
     const bool stop = StopSignals::asked() && frame < frames;
     if (stop || frame == frames || (reached && frame % scene.run.checkpoint_every_frames == 0)) {
       save_checkpoint(scene, results, *simulation, frame);
-      save_description(scene, results, "running", last, wall());  // the time it took must not be lost if it is killed
+      save_description(scene, results, "running", last, wall(),
+                       simulation->counters().particle_steps);  // the time it took must not be lost if it is killed
     }
     if (stop)
       return {

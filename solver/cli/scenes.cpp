@@ -10,6 +10,7 @@
 #include "solver/cli/commands.h"
 #include "solver/cli/scene_files.h"
 #include "solver/scene/reader.h"
+#include "studies/accuracy/expected.h"
 
 namespace bake::cli {
 namespace {
@@ -60,7 +61,10 @@ int list_runs() {
 }
 
 int info(const SceneArguments& arguments) {
-  fmt::print("{}\n", describe_scene(read_scene(find_scene(arguments.scene), {arguments.quality, {}})));
+  const Scene scene = read_scene(find_scene(arguments.scene), {arguments.quality, {}});
+  fmt::print("{}\n", describe_scene(scene));
+  for (const std::string& line : studies::accuracy::expected_of(scene, BAKE_SOURCE_DIR "/paper/accuracy.json"))
+    fmt::print("  measured     {}\n", line);
   return k_success;
 }
 

@@ -35,7 +35,7 @@ std::string bodies(const Bar& bar) {
 
 }  // namespace
 
-std::unique_ptr<Simulation> Bar::begin() const {
+Setting Bar::setting() const {
   const double width = across * dx();
   Setting setting;
   setting.effects = effects;
@@ -47,7 +47,8 @@ std::unique_ptr<Simulation> Bar::begin() const {
   setting.time = time;
   setting.material = material;
   setting.tables = tables + bodies(*this);
-  return setting.begin();
+  setting.overrides = overrides;
+  return setting;
 }
 
 std::vector<double> differences(const Snapshot& now, const Field& found, const Profile& exact, const Span& span) {

@@ -27,9 +27,11 @@ struct Bar {
   std::string time = "safety = 1";                  ///< keys of [time]
   std::string faces = "\"slip\"";                   ///< rule of the domain's faces along x
   std::function<std::string(double x)> state = {};  ///< keys of the layer of particles at x; without it all are alike
+  std::vector<std::string> overrides = {};          ///< `key=value`, as for parse_scene
 
   double dx() const { return 1.0 / cells; }
-  std::unique_ptr<Simulation> begin() const;
+  Setting setting() const;
+  std::unique_ptr<Simulation> begin() const { return setting().begin(); }
 };
 
 /// Part of the bar.

@@ -8,6 +8,7 @@
 
 #include "studies/convergence/bar.h"
 #include "studies/convergence/cases.h"
+#include "studies/convergence/exact.h"
 
 namespace bake::studies {
 
@@ -63,16 +64,37 @@ std::vector<Errors> fick(bool quick) {
 /// Barenblatt's source for s_t = (s s_x)_x: s = t^(-1/3) (a^2 - xi^2) / 6 with xi = (x - 1/2) t^(-1/3), inside |xi| < a. At `first` the
 /// middle has 0.6 and the front stands at 0.15 m: a^2 = 3.6 first^(1/3) = 0.0225 first^(-2/3). At `last` the front stands at 0.3 m.
 namespace source {
+
+namespace {
 constexpr double first = 0.00625, last = 8 * first, peak = 0.6, width = 0.15;
+// Solid without any water stays dry: particles gain in proportion to the water they have. The dry part therefore starts with a trace.
+constexpr double trace = 1e-6;
 double saturation_at(double x, double t) {
   const double stretch = std::cbrt(t / first), xi = (x - 0.5) / stretch;
   return std::max(0.0, peak / stretch * (1 - xi * xi / (width * width)));
 }
+}  // namespace
+
+double duration_s() { return last - first; }
+
+Bar bar(int cells) {
+  Bar bar = bar_at_one_degree(1);
+  bar.cells = cells;
+  bar.end_s = duration_s();
+  bar.state = [](double x) { return fmt::format("saturation = {:.17g}", std::max(trace, saturation_at(x, first))); };
+  return bar;
+}
+
+double saturation_error(const Snapshot& end) {
+  const std::vector<double> s = saturation(end);
+  return root_mean_square(differences(
+             end, [&](std::size_t i) { return s[i]; }, [](double x) { return saturation_at(x, last); }, k_all)) /
+         saturation_at(0.5, last);
+}
+
 }  // namespace source
 
 std::vector<Errors> barenblatt(bool quick) {
-  // Solid without any water stays dry: particles gain in proportion to the water they have. The dry part therefore starts with a trace.
-  static constexpr double trace = 1e-6;
   Errors profile, spread, kept;
   profile.quantity = "saturation when the front is twice as far, rms, relative to the peak";
   profile.low = 0.4, profile.high = 1.2;
@@ -93,21 +115,14 @@ std::vector<Errors> barenblatt(bool quick) {
   profile.refinements = spread.refinements = kept.refinements =
       quick ? std::vector<double>{32, 64, 128} : std::vector<double>{32, 64, 128, 256};
   for (const double n : profile.refinements) {
-    Bar bar = bar_at_one_degree(1);
-    bar.cells = static_cast<int>(n);
-    bar.end_s = source::last - source::first;
-    bar.state = [](double x) { return fmt::format("saturation = {:.17g}", std::max(trace, source::saturation_at(x, source::first))); };
+    const Bar bar = source::bar(static_cast<int>(n));
     const auto simulation = bar.begin();
     const double before = total(*simulation, Total::water_mass);
     run_to(*simulation, bar.end_s);
     kept.errors.push_back(std::abs(total(*simulation, Total::water_mass) / before - 1));
     const Snapshot now = simulation->snapshot();
+    profile.errors.push_back(source::saturation_error(now));
     const std::vector<double> s = saturation(now);
-    const double now_peak = source::saturation_at(0.5, source::last);
-    profile.errors.push_back(
-        root_mean_square(differences(
-            now, [&](std::size_t i) { return s[i]; }, [](double x) { return source::saturation_at(x, source::last); }, k_all)) /
-        now_peak);
     double zeroth = 0, second = 0;
     for (std::size_t i = 0; i < s.size(); ++i) {
       zeroth += s[i];

@@ -6,15 +6,19 @@
 
 namespace bake::studies {
 
-double place_error(Simulation& simulation, double t, const std::function<bool(const Point&)>& counts,
+double place_error(const Snapshot& first, const Snapshot& now, double t, const std::function<bool(const Point&)>& counts,
                    Point (*position)(const Point& X, double t)) {
-  const Snapshot first = simulation.snapshot();
-  run_to(simulation, t);
-  const Snapshot now = simulation.snapshot();
   std::vector<double> off;
   for (std::size_t p = 0; p < now.id.size(); ++p)
     if (counts(first.position[p])) off.push_back(length(now.position[p] - position(first.position[p], t)));
   return root_mean_square(off);
+}
+
+double place_error(Simulation& simulation, double t, const std::function<bool(const Point&)>& counts,
+                   Point (*position)(const Point& X, double t)) {
+  const Snapshot first = simulation.snapshot();
+  run_to(simulation, t);
+  return place_error(first, simulation.snapshot(), t, counts, position);
 }
 
 }  // namespace bake::studies

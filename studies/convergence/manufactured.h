@@ -7,10 +7,14 @@
 
 #include "solver/baker/simulation.h"
 #include "solver/boundary/shape.h"
+#include "studies/setting.h"
 
 namespace bake::studies {
 
-/// Runs until `t`. How far those particles then are from position(X, t) that started at an X that `counts`: rms, in metres.
+/// How far those particles are from position(X, t) that started, in `first`, at an X that `counts`: rms, in metres.
+double place_error(const Snapshot& first, const Snapshot& now, double t, const std::function<bool(const Point&)>& counts,
+                   Point (*position)(const Point& X, double t));
+/// The same after running until `t`.
 double place_error(Simulation& simulation, double t, const std::function<bool(const Point&)>& counts,
                    Point (*position)(const Point& X, double t));
 
@@ -31,6 +35,12 @@ namespace vortex {
 Point position(const Point& X, double t);
 Vector3 velocity(const Point& x, double t);
 Vector3 body_force(const Point& x, double t);
+bool in_annulus(const Point& x);
+inline constexpr double amplitude = 0.3;
+inline constexpr double furthest_s = 0.5;  ///< then the rings have turned furthest and stand
+/// One cell thick, with `cells` in a metre. With free rims; or `held`, in material that has the exact velocity beyond them.
+Setting setting(double cells, bool held);
+NodalForce force(bool held);
 }  // namespace vortex
 
 }  // namespace bake::studies

@@ -7,6 +7,7 @@
 
 #include "studies/convergence/bar.h"
 #include "studies/convergence/cases.h"
+#include "studies/convergence/exact.h"
 
 namespace bake::studies {
 
@@ -31,12 +32,6 @@ double halves(double x, double t) {
     const double m = (2 * k + 1) * pi;
     sum += (k % 2 ? -2 : 2) / m * std::exp(-m * m * t) * std::cos(m * x);
   }
-  return sum;
-}
-
-double held(double x, double t) {
-  double sum = 1 - x;
-  for (int n = 1; n < k_terms; ++n) sum -= 2 / (n * pi) * std::exp(-n * n * pi * pi * t) * std::sin(n * pi * x);
   return sum;
 }
 
@@ -92,6 +87,12 @@ std::vector<Errors> held_errors(const Bar& bar, double t, Exact exact, bool quic
 
 }  // namespace
 
+double held_slab_temperature(double x, double fourier) {
+  double sum = 1 - x;
+  for (int n = 1; n < k_terms; ++n) sum -= 2 / (n * pi) * std::exp(-n * n * pi * pi * fourier) * std::sin(n * pi * x);
+  return sum;
+}
+
 std::vector<Errors> slab_cosine(bool quick) {
   constexpr double t = 0.05;
   Bar bar = slab();
@@ -140,7 +141,7 @@ std::vector<Errors> slab_held(bool quick) {
   Bar bar = slab();
   bar.before = bar.after = 2;
   bar.tables = hot_below_zero() + cold_above_one();
-  return held_errors(bar, 0.05, held, quick);
+  return held_errors(bar, 0.05, held_slab_temperature, quick);
 }
 
 std::vector<Errors> slab_held_and_insulated(bool quick) {

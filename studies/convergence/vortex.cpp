@@ -32,7 +32,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double A = 0.3, c = 1;
+constexpr double A = amplitude, c = 1;
 
 double h(double R) { return std::pow(1 - 16 * (R - 1) * (R - 1), 2); }
 double h_slope(double R) { return -64 * (R - 1) + 1024 * std::pow(R - 1, 3); }
@@ -74,23 +74,16 @@ Vector3 body_force(const Point& x, double t) {
   return b_r * e_r + b_theta * e_theta;
 }
 
-namespace {
-
 bool in_annulus(const Point& x) { return std::abs(radius(x) - 1) < 0.25; }
 
-/// At t = 1/2, when the rings have turned furthest and stand. With free rims; or `held`, in material that has the exact velocity beyond
-/// them.
-double error(double cells, bool held, const char* transfer) {
-  constexpr double t = 0.5;
+Setting setting(double cells, bool held) {
   Setting setting;
   setting.effects = "\"motion\", \"elasticity\"";
   const double dx = setting.dx = 1 / cells, beyond = held ? 2 * dx : 0;
-  setting.end_s = t;
+  setting.end_s = furthest_s;
   setting.low = {-1.5, -1.5, 0};
   setting.high = {1.5, 1.5, dx};
   setting.faces = "z_min = \"slip\"\nz_max = \"slip\"\n";
-  setting.motion += fmt::format("\ntransfer = \"{}\"", transfer);
-  setting.time = fmt::format("safety = 1\nlargest_step_s = {:.17g}", dx / 4);
   setting.material = elastic::material;
   setting.tables = fmt::format(R"(
 [[body]]
@@ -102,12 +95,25 @@ shape = {{ difference = [
   {{ cylinder = {{ from_m = [0, 0, {2:.17g}], to_m = [0, 0, {3:.17g}], radius_m = {4:.17g} }} }} ] }}
 )",
                                dx, 1.25 + beyond, -dx, 2 * dx, 0.75 - beyond);
-  const auto s = setting.begin();
-  s->set_force([=](const Point& x, const Vector3& v, double time, double dt) {
+  return setting;
+}
+
+NodalForce force(bool held) {
+  return [held](const Point& x, const Vector3& v, double time, double dt) {
     const bool given = time == 0 || (held && !in_annulus(x));  // in the first step the velocity that the rings start with
     return given ? velocity(x, time + dt / 2) : v + dt * body_force(x, time);
-  });
-  return place_error(*s, t, in_annulus, position) / A;
+  };
+}
+
+namespace {
+
+double error(double cells, bool held, const char* transfer) {
+  Setting scene = setting(cells, held);
+  scene.motion += fmt::format("\ntransfer = \"{}\"", transfer);
+  scene.time = fmt::format("safety = 1\nlargest_step_s = {:.17g}", scene.dx / 4);
+  const auto s = scene.begin();
+  s->set_force(force(held));
+  return place_error(*s, furthest_s, in_annulus, position) / A;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "studies/convergence/bar.h"
 #include "studies/convergence/cases.h"
+#include "studies/convergence/exact.h"
 
 namespace bake::studies {
 
@@ -24,6 +25,10 @@ Bar elastic_bar() {
   return bar;
 }
 
+std::function<std::string(double x)> moving(const Profile& shape, double speed) {
+  return [=](double x) { return fmt::format("velocity_m_per_s = [{:.17g}, 0, 0]", speed * shape(x)); };
+}
+
 double pulse(double x) { return std::exp(-std::pow((x - 0.5) / 0.08, 2)); }
 
 /// The pulse after it has parted, at steps of `courant` cells' time.
@@ -33,7 +38,7 @@ double pulse_error(double cells, double courant) {
   bar.cells = static_cast<int>(cells);
   bar.end_s = t;
   bar.time = fmt::format("safety = {:.17g}", courant);
-  bar.state = [](double x) { return fmt::format("velocity_m_per_s = [{:.17g}, 0, 0]", k_speed * pulse(x)); };
+  bar.state = moving(pulse, k_speed);
   const auto s = bar.begin();
   run_to(*s, t);
   const Snapshot now = s->snapshot();
@@ -42,12 +47,13 @@ double pulse_error(double cells, double courant) {
 }
 
 /// What the velocity has of the shape, as a share of the first amplitude.
-double share_of(const Simulation& simulation, const Profile& shape) {
-  const Snapshot now = simulation.snapshot();
+double share_of(const Snapshot& now, const Profile& shape, double speed) {
   double sum = 0;
   for (std::size_t i = 0; i < now.id.size(); ++i) sum += now.velocity[i][0] * shape(now.position[i][0]);
-  return 2 * sum / (k_speed * static_cast<double>(now.id.size()));
+  return 2 * sum / (speed * static_cast<double>(now.id.size()));
 }
+
+double cosine(double x) { return std::cos(pi * x); }
 
 /// The bar's lowest mode, of period 2 s: velocity shape(x) cos(pi t).
 std::vector<Errors> first_period(Bar bar, const Profile& shape, bool quick) {
@@ -57,14 +63,14 @@ std::vector<Errors> first_period(Bar bar, const Profile& shape, bool quick) {
   velocity.refined = period.refined = "cells";
   velocity.refinements = period.refinements = quick ? std::vector<double>{16, 32, 64} : std::vector<double>{16, 32, 64, 128, 256};
   bar.end_s = 0.5;
-  bar.state = [&](double x) { return fmt::format("velocity_m_per_s = [{:.17g}, 0, 0]", k_speed * shape(x)); };
+  bar.state = moving(shape, k_speed);
   for (const double n : velocity.refinements) {
     bar.cells = static_cast<int>(n);
     const auto s = bar.begin();
     run_to(*s, 0.5);
-    const double first = share_of(*s, shape);
+    const double first = share_of(s->snapshot(), shape, k_speed);
     run_to(*s, 1.5);
-    const double second = share_of(*s, shape);
+    const double second = share_of(s->snapshot(), shape, k_speed);
     period.errors.push_back(std::abs(first + second) / pi);  // where the share is zero it changes by pi per second
     run_to(*s, 2);
     const Snapshot now = s->snapshot();
@@ -77,6 +83,21 @@ std::vector<Errors> first_period(Bar bar, const Profile& shape, bool quick) {
 }
 
 }  // namespace
+
+namespace first_mode {
+
+Bar bar(int cells, double speed) {
+  Bar bar = elastic_bar();
+  bar.cells = cells;
+  bar.air = 4;
+  bar.end_s = period_s / 4;
+  bar.state = moving(cosine, speed);
+  return bar;
+}
+
+double share(const Snapshot& now, double speed) { return share_of(now, cosine, speed); }
+
+}  // namespace first_mode
 
 std::vector<Errors> pulse_wave(bool quick) {
   Errors at_fixed_ratio, at_fine_steps;
@@ -100,8 +121,7 @@ std::vector<Errors> pulse_wave(bool quick) {
 std::vector<Errors> free_bar(bool quick) {
   Bar bar = elastic_bar();
   bar.air = 4;
-  std::vector<Errors> all = first_period(
-      bar, [](double x) { return std::cos(pi * x); }, quick);
+  std::vector<Errors> all = first_period(bar, cosine, quick);
   all[1].low = 1.8, all[1].high = 2.3;
   all[1].why = "second order: a free end carries no stress, so that its surface layer has nothing to get wrong";
   return all;

@@ -143,16 +143,22 @@ TEST(TableOne, PutsAFinishedRunBesideThePublishedTiming) {
   for (const auto& [name, state, particles] : {std::tuple{"bread-draft", "done", 9000}, std::tuple{"bread-standard", "done", 77000},
                                                std::tuple{"bread-paper", "running", 620000}}) {
     fs::create_directories(folder / name);
-    std::ofstream(folder / name / "run.json") << R"({"scene": {"file": "experiments/fig15_bread/bread.toml"}, "summary": {"state": ")"
-                                              << state << R"(", "wall_s": 100, "steps": 1000, "particles": )" << particles << "}}";
-    std::ofstream(folder / name / "ledger.csv") << "time_s\n0\n1\n2\n3\n4\n";
+    std::ofstream(folder / name / "run.json")
+        << R"({"scene": {"file": "experiments/fig15_bread/bread.toml"}, "provenance": {"threads": 2, "machine": {"cpu": "abacus"}},
+              "summary": {"wall_s": 96, "time_s": 2, "particle_steps": 96e6, "peak_memory_bytes": 5e6,
+                          "load_average": 0.5, "particles": )"
+        << particles << R"(, "state": ")" << state << "\"}}";
   }
   const Computed some = compare_timings(BAKE_SOURCE_DIR, folder.path());
   EXPECT_EQ(number(some, "rows_with_a_run"), 1);
   EXPECT_EQ(number(some, "rows_at_published_size"), 0) << "that run is not done";
   const auto& row = some.tables[0].rows[0];
-  EXPECT_EQ(std::vector<std::string>(row.begin() + 5, row.end()), (std::vector<std::string>{"bread-standard", "77K", "25", "0.77"}));
-  EXPECT_EQ(some.tables[0].rows[1][5], "not run") << "tearing is another scene";
+  EXPECT_EQ(std::vector<std::string>(row.begin() + 5, row.end()),
+            (std::vector<std::string>{"bread-standard", "77K", "first 2 s", "2", "1", "5 MB", "abacus, 2 threads, load 0.5"}))
+      << "two seconds are 48 frames";
+  EXPECT_EQ(some.tables[0].rows[2][5], "not run") << "the cookie has a scene";
+  const bool has_pancake = fs::exists(fs::path(BAKE_SOURCE_DIR) / "experiments/fig11_pancake/pancake.toml");
+  EXPECT_EQ(some.tables[0].rows[3][5], has_pancake ? "not run" : "no scene yet");
 }
 
 TEST(AComputedTable, IsWrittenForTerminalProgramsAndPages) {

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "studies/accuracy/expected.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "solver/scene/entry.h"
+#include "solver/scene/input_error.h"
+#include "solver/scene/resolved.h"
+
+namespace bake::studies::accuracy {
+
+namespace {
+
+using nlohmann::json;
+
+/// "fig15_bread/bread": of the folder and file that a scene was read from.
+std::string name_of(const Scene& scene) {
+  const auto file = std::filesystem::absolute(scene.file);
+  return file.parent_path().filename().string() + "/" + file.stem().string();
+}
+
+std::string line_of(const json& q, const std::string& cpu) {
+  const double error = q.at("error"), time = q.at("cpu_s");
+  return fmt::format("{}: error {:.2g} %, {:.2g} million particle-steps, {:.2g} s of one core of {}", q.at("quality").get<std::string>(),
+                     100 * error, q.at("particle_steps").get<double>() / 1e6, time, cpu);
+}
+
+}  // namespace
+
+std::vector<std::string> expected_of(const Scene& scene, const std::filesystem::path& stored) {
+  if (!std::filesystem::exists(stored)) return {};
+  Scene at_paper = scene;
+  at_paper.quality = Quality::paper;
+  std::vector<std::string> lines;
+  try {
+    const json all = json::parse(read_text_file(stored));
+    const std::string cpu = all.at("provenance").at("machine").at("cpu");
+    for (const json& c : all.at("cases")) {
+      if (c.at("scene") != name_of(scene)) continue;
+      if (c.at("scene_fingerprint") != scene_fingerprint(at_paper))
+        return {"measured of another version of this scene (bake study accuracy)"};
+      for (const json& q : c.at("qualities")) lines.push_back(line_of(q, cpu));
+      if (!lines.empty()) lines.push_back("the error is that of: " + c.at("measured").get<std::string>());
+    }
+  } catch (const json::exception& error) {
+    throw InputError(fmt::format("{}: damaged, allowed: what bake study accuracy writes: {}", stored.string(), error.what()));
+  }
+  return lines;
+}
+
+}  // namespace bake::studies::accuracy

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "studies/accuracy/result.h"
+
+namespace bake::studies::accuracy {
+
+namespace {
+
+std::string times(double factor) { return factor < 9.95 ? fmt::format("{:.2g}", factor) : fmt::format("{:.0f}", factor); }
+
+std::string or_dash(const std::optional<double>& value) { return value ? fmt::format("{:.2f}", *value) : "-"; }
+
+std::string seconds(const Spread& s) {
+  return s.low < s.high ? fmt::format("{:.2g} ({:.2g} to {:.2g})", s.median, s.low, s.high) : fmt::format("{:.2g}", s.median);
+}
+
+std::string front_table(const CaseResult& result) {
+  std::string text = "| | on the front | error | particle-steps | processor time [s] | wall time [s] |\n|---|---|---|---|---|---|\n";
+  int number = 0;
+  for (const Point* p : front(result.curves(), particle_steps))
+    text += fmt::format("| {} | {} | {} | {:.2g} | {:.2g} | {} |\n", ++number, words_of(*p), percent(p->settled), p->particle_steps,
+                        p->cpu_s.median, seconds(p->wall_s));
+  return text;
+}
+
+std::string goals_table(const CaseResult& result) {
+  std::string text = "| error at most | cheapest in particle-steps | cheapest in processor time |\n|---|---|---|\n";
+  for (const double goal : k_goals) {
+    const Point *steps = cheapest(result.curves(), goal, particle_steps), *cpu = cheapest(result.curves(), goal, cpu_seconds);
+    text += fmt::format("| {:g} % | {} | {} |\n", 100 * goal,
+                        steps ? fmt::format("{}: {:.2g}", words_of(*steps), steps->particle_steps) : "not reached",
+                        cpu ? fmt::format("{}: {:.2g} s", words_of(*cpu), cpu->cpu_s.median) : "not reached");
+  }
+  return text;
+}
+
+std::string knobs_table(const CaseResult& result) {
+  std::string text =
+      "| setting | order in dx | at so many cells | error | over the default's | particle-steps, times the default's | processor time, "
+      "times "
+      "the default's |\n|---|---|---|---|---|---|---|\n";
+  for (const Curve& curve : result.curves()) {
+    const auto [base, p] = result.common(curve);
+    if (!p) {
+      text += fmt::format("| {} | - | - | failed: {} | | | |\n", curve.label, curve.points.back().failure);
+      continue;
+    }
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", curve.label, or_dash(order(curve)), p->variant.cells, percent(p->error),
+                        times(p->error / base->error), times(p->particle_steps / base->particle_steps),
+                        times(p->cpu_s.median / base->cpu_s.median));
+  }
+  return text;
+}
+
+/// How many times and under which load.
+std::string timing(const std::vector<CaseResult>& results) {
+  int fewest = std::numeric_limits<int>::max();
+  double load = 0;
+  for (const CaseResult& r : results)
+    for (const Curve& curve : r.curves())
+      for (const Point& p : curve.points) {
+        if (!p.failed()) fewest = std::min(fewest, p.repeats);
+        load = std::max(load, p.load_average.high);
+      }
+  return fmt::format(
+      "Every variant was run in turn, each at least {} time(s); medians are given, with the spread. The load average went up to {:.1f}{}",
+      fewest, load,
+      load > 1.5 ? ": other programs shared the processors, so that **the times are not to be concluded from**; errors and "
+                   "particle-steps do not depend on it."
+                 : ".");
+}
+
+std::string section(const CaseResult& result) {
+  const Case& c = result.of();
+  std::string text = fmt::format("\n## {}\n\n{}{}. Cells are those of {}.\n\n", c.name, static_cast<char>(std::toupper(c.measured[0])),
+                                 c.measured.substr(1), c.cells_of);
+  text += fmt::format("![error against cost](accuracy/{}.svg)\n\n", c.name);
+  for (const std::string& sentence : conclusions(result)) text += fmt::format("- {}\n", sentence);
+  return text + "\n" + front_table(result) + "\n" + goals_table(result) + "\n" + knobs_table(result);
+}
+
+std::string listed(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
+
+}  // namespace
+
+std::vector<std::string> conclusions(const CaseResult& result) {
+  std::vector<std::string> all;
+  const Curve* base = result.default_curve();
+  if (!base) return all;
+  if (const auto p = exponent(*base, particle_steps); p && *p > 0)
+    all.push_back(
+        fmt::format("With the default settings the error falls with dx to the power {} and with the particle-steps to the power "
+                    "{:.2f}: half the error costs {} times the particle-steps.",
+                    or_dash(order(*base)), *p, times(cost_of_halving(*p))));
+  else
+    all.push_back("With the default settings the error does not fall with dx.");
+  std::vector<std::string> better, worse, failed;
+  for (const Curve& curve : result.curves()) {
+    const auto [a, b] = result.common(curve);
+    if (curve.label == "default") continue;
+    if (std::any_of(curve.points.begin(), curve.points.end(), [](const Point& p) { return p.failed(); })) failed.push_back(curve.label);
+    if (!b) continue;
+    const double error = b->error / a->error;
+    if (error < 0.8)
+      better.push_back(fmt::format("{} ({} of the error for {} times the processor time)", curve.label, times(error),
+                                   times(b->cpu_s.median / a->cpu_s.median)));
+    if (error > 1.25) worse.push_back(fmt::format("{} ({} times)", curve.label, times(error)));
+  }
+  if (!better.empty()) all.push_back(fmt::format("Less error than the default at the same dx: {}.", listed(better)));
+  if (!worse.empty()) all.push_back(fmt::format("More error at the same dx: {}.", listed(worse)));
+  if (!failed.empty()) all.push_back(fmt::format("Failed at some dx: {}.", listed(failed)));
+  for (const QualityResult& q : result.qualities())
+    all.push_back(q.excess_particle_steps <= k_allowed_excess
+                      ? fmt::format("The scene's {} is {} ({}), {} times the cheapest that is as good: within {}.", q.quality,
+                                    percent(q.point->error), words_of(*q.point), times(q.excess_particle_steps), k_allowed_excess)
+                      : fmt::format("The scene's {} has an error of {}; {} is as good for a part of the cost: 1/{} of the particle-steps, "
+                                    "1/{} of the processor time.",
+                                    q.quality, percent(q.point->error), words_of(*q.better), times(q.excess_particle_steps),
+                                    times(q.point->cpu_s.median / q.better->cpu_s.median)));
+  return all;
+}
+
+std::string as_markdown(const std::vector<CaseResult>& results, const nlohmann::json& provenance) {
+  std::string text =
+      "<!-- SPDX-License-Identifier: MIT. Generated: bake study accuracy --out paper writes it anew. -->\n"
+      "# What accuracy costs\n\n"
+      "Relative errors, against exact solutions or against a fine run in double precision ([reference/accuracy](../reference/accuracy)), "
+      "beside what the run cost: its particle-steps, which no machine changes, and its time with one thread. Each setting is turned alone "
+      "from the solver's defaults, at several dx; some are turned together. An error counts as *settled*, and only then for fronts and "
+      "tables, if no finer grid of the same setting has a larger one. A particle-step is not the same work for every setting: a cubic "
+      "kernel has 64 nodes instead of 27, double precision halves the lanes, backward Euler solves a system in each step; processor time "
+      "tells that.\n\n";
+  text += fmt::format("{} Machine: {}. Every finished measurement stands in accuracy/*.jsonl with its date and load.\n", timing(results),
+                      provenance.at("machine").at("cpu").get<std::string>());
+  for (const CaseResult& r : results) text += section(r);
+  return text;
+}
+
+}  // namespace bake::studies::accuracy

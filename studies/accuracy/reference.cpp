@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "studies/accuracy/reference.h"
+
+#include <fmt/format.h>
+#include <omp.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "solver/baker/kept_run.h"
+#include "solver/io/atomic_file.h"
+#include "solver/io/provenance.h"
+#include "solver/scene/input_error.h"
+#include "solver/scene/resolved.h"
+#include "studies/accuracy/scene_file.h"
+#include "studies/accuracy/simulate.h"
+
+namespace bake::studies::accuracy {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// A folder for the two frames that metrics are taken from, removed at the end.
+class Scratch {
+ public:
+  Scratch() {
+    std::string pattern = (fs::temp_directory_path() / "bake-accuracy-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr) throw OutputError(pattern + ": cannot create a folder there");
+    path_ = pattern;
+    fs::create_directories(path_ / "frames");
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+fs::path reference_file(const std::string& name) { return fs::path(BAKE_SOURCE_DIR) / "reference/accuracy" / (name + ".json"); }
+
+std::map<std::string, double> values_of(const Results& run, const std::vector<Quantity>& quantities) {
+  std::map<std::string, double> values;
+  for (const Quantity& q : quantities) values[q.name] = find_metric(q.metric).of_run(run, q.at);
+  return values;
+}
+
+/// Steps through the scene and leaves what Results reads: first and last frame, ledger, run.json.
+void run_for_results(const Scene& scene, const fs::path& folder, Found& found) {
+  omp_set_num_threads(1);
+  const auto simulation = Simulation::begin(scene);
+  LedgerFile ledger = LedgerFile::create(folder / "ledger.csv", ledger_columns());
+  ledger.append(simulation->ledger_row());
+  simulation->write_frame_file(folder / "frames" / frame_name(0));
+  try {
+    advance_timed(*simulation, scene.run.end_s, found);
+  } catch (const RunError& error) {
+    found.failure = error.what();
+  }
+  count(*simulation, found);
+  ledger.append(simulation->ledger_row());
+  simulation->write_frame_file(folder / "frames" / frame_name(1));
+  write_text_atomically(folder / "run.json", json{{"summary", {{"state", "done"}}}}.dump());
+}
+
+Found measure(const ReferencedScene& of, const Scene& scene) {
+  Found found;
+  const Scratch scratch;
+  run_for_results(scene, scratch.path(), found);
+  if (!found.failure.empty()) return found;
+  const json reference = json::parse(std::ifstream(reference_file(of.name)));
+  const auto values = values_of(Results(scratch.path()), of.quantities);
+  double sum = 0;
+  for (const Quantity& q : of.quantities) {
+    const double right = reference.at("quantities").at(q.name);
+    found.parts[q.name] = std::abs(values.at(q.name) - right) / std::abs(right - q.start);
+    sum += std::pow(found.parts[q.name], 2);
+  }
+  found.error = std::sqrt(sum / static_cast<double>(of.quantities.size()));
+  if (!std::isfinite(found.error)) found.failure = "the result is no number";
+  return found;
+}
+
+/// One frame a run: steps end where the scene ends.
+std::vector<std::string> frames_of(double count, double end_s) { return {fmt::format("run.frame_rate_per_s={:.17g}", count / end_s)}; }
+
+Scene scene_with_frames(const ReferencedScene& of, const Variant& v, double count) {
+  const Scene as_it_is = scene_of_file(of.scene, of.length, v);
+  return scene_of_file(of.scene, of.length, v, frames_of(count, as_it_is.run.end_s));
+}
+
+void make_reference(const ReferencedScene& of, const fs::path& folder) {
+  constexpr double k_frames = 20;  // a checkpoint at each
+  const Variant fine{"reference", of.fine, 0, {"run.precision=double", "run.checkpoint_every_frames=1"}};
+  const Scene scene = scene_with_frames(of, fine, k_frames);
+  RunOptions options;
+  options.out = folder / ("reference-" + of.name);
+  complete_run(scene, options, kept_run(scene, options.out));
+  const Results run(options.out);
+  const json stored{{"case", of.name},
+                    {"scene", of.scene},
+                    {"cells", of.fine},
+                    {"dx_m", scene.dx()},
+                    {"precision", "double"},
+                    {"particles", run.last("particles")},
+                    {"steps", run.last("steps")},
+                    {"quantities", values_of(run, of.quantities)},
+                    {"provenance", provenance()}};
+  fs::create_directories(reference_file(of.name).parent_path());
+  write_text_atomically(reference_file(of.name), stored.dump(2) + "\n");
+  fmt::print("{}: written\n", reference_file(of.name).string());
+}
+
+}  // namespace
+
+void refer(Case& c, const ReferencedScene& of) {
+  c.name = of.name;
+  c.scene = of.scene;
+  c.scene_of = [of](const Variant& v) { return scene_with_frames(of, v, 1); };
+  c.measure = [of](const Scene& scene) { return measure(of, scene); };
+  c.missing = [of] {
+    if (fs::exists(reference_file(of.name))) return std::string();
+    return fmt::format("no reference/accuracy/{0}.json; `bake study accuracy --reference {0}` makes it", of.name);
+  };
+  c.make_reference = [of](const fs::path& folder) { make_reference(of, folder); };
+}
+
+}  // namespace bake::studies::accuracy

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Exact solutions and their scenes that other studies measure, too.
+#pragma once
+
+#include "studies/convergence/bar.h"
+
+namespace bake::studies {
+
+/// A slab from 0 to 1 at temperature 0 whose faces are held at 1 (x = 0) and 0 (x = 1): theta at x after `fourier` = D t / L^2.
+double held_slab_temperature(double x, double fourier);
+
+/// Barenblatt's source of water, s_t = (s s_x)_x, in a bar from the time when its front stands at 0.15 m from the middle until it
+/// stands at 0.3 m.
+namespace source {
+Bar bar(int cells);
+double duration_s();
+/// rms over the bar at the end, relative to the peak's.
+double saturation_error(const Snapshot& end);
+}  // namespace source
+
+/// An elastic bar with free ends in its first mode: velocity `speed` cos(pi x) cos(pi t). The first sample is after a quarter of a period.
+namespace first_mode {
+inline constexpr double period_s = 2;
+Bar bar(int cells, double speed);
+/// What the velocity has of the mode's shape, as a share of `speed`: cos(pi t).
+double share(const Snapshot& now, double speed);
+}  // namespace first_mode
+
+}  // namespace bake::studies

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// The study of accuracy: its fronts, its raw data, and that a study which was stopped goes on.
+#include "studies/accuracy/accuracy.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "solver/scene/entry.h"
+#include "solver/scene/input_error.h"
+#include "studies/accuracy/expected.h"
+#include "studies/accuracy/knobs.h"
+#include "studies/accuracy/result.h"
+#include "tests/support/temporary_folder.h"
+
+namespace bake::studies::accuracy {
+namespace {
+
+Point point(int cells, double error, double cost) {
+  Point p;
+  p.variant.cells = cells;
+  p.error = error;
+  p.particle_steps = cost;
+  return p;
+}
+
+Curve curve(const char* label, std::vector<Point> points) {
+  Curve c{label, std::move(points)};
+  for (Point& p : c.points) p.variant.label = label;
+  settle(c);
+  return c;
+}
+
+TEST(AnErrorThatAFinerGridDoesNotKeep, IsNotSettled) {
+  const Curve c = curve("default", {point(4, 0.1, 1), point(8, 0.001, 10), point(16, 0.02, 100)});
+  EXPECT_EQ(c.points[0].settled, 0.1);
+  EXPECT_EQ(c.points[1].settled, 0.02) << "by chance";
+  EXPECT_EQ(c.points[2].settled, 0.02);
+}
+
+TEST(ACurveThatFailedOnAFinerGrid, SettlesNothing) {
+  Curve c = curve("wild", {point(4, 0.1, 1), point(8, 0.01, 10)});
+  c.points[1].failure = "the step became too small";
+  settle(c);
+  EXPECT_TRUE(front({c}, particle_steps).empty());
+}
+
+TEST(TheFront, FallsWithTheCostAndLeavesOutWhatIsBeaten) {
+  const std::vector<Curve> curves{curve("default", {point(4, 0.1, 1), point(8, 0.05, 10), point(16, 0.025, 100)}),
+                                  curve("good", {point(4, 0.04, 5), point(8, 0.02, 50)})};
+  const auto best = front(curves, particle_steps);
+  ASSERT_EQ(best.size(), 3u);
+  EXPECT_EQ(best[0]->particle_steps, 1);
+  EXPECT_EQ(best[1]->particle_steps, 5);
+  EXPECT_EQ(best[2]->particle_steps, 50);
+  EXPECT_EQ(cheapest(curves, 0.03, particle_steps), best[2]);
+  EXPECT_EQ(cheapest(curves, 0.01, particle_steps), nullptr);
+  EXPECT_EQ(excess(curves, curves[0].points[2], particle_steps), 2) << "100 against 50 of a better one";
+  EXPECT_EQ(excess(curves, *best[1], particle_steps), 1);
+}
+
+TEST(TheExponent, SaysWhatHalvingTheErrorCosts) {
+  const Curve c = curve("default", {point(4, 0.1, 1), point(8, 0.05, 16), point(16, 0.025, 256)});
+  EXPECT_NEAR(*order(c), 1, 1e-12);
+  EXPECT_NEAR(*exponent(c, particle_steps), 0.25, 1e-12);
+  EXPECT_NEAR(cost_of_halving(0.25), 16, 1e-12);
+  EXPECT_FALSE(order(curve("short", {point(4, 0.1, 1)})));
+}
+
+TEST(EveryVariant, IsAScene) {
+  for (const Case& c : all_cases()) {
+    int variants = 0;
+    for (const Variant& v : variants_of(c, Effort::full)) {
+      EXPECT_NO_THROW(c.scene_of(v)) << c.name << ", " << v.label;
+      ++variants;
+    }
+    EXPECT_GT(variants, 10) << c.name;
+  }
+}
+
+/// The bar, which is measured in a second.
+class AStudy : public testing::Test {
+ protected:
+  StudyOptions options() const {
+    StudyOptions o;
+    o.quick = true;
+    o.out = folder.path();
+    o.cases = {"elastic_bar"};
+    return o;
+  }
+  bool run() const {
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const bool held = run_accuracy(options());
+    said = testing::internal::GetCapturedStdout();
+    progress = testing::internal::GetCapturedStderr();
+    return held;
+  }
+  std::filesystem::path raw() const { return folder.path() / "accuracy/elastic_bar.jsonl"; }
+  std::string raw_text() const { return read_text_file(raw()); }
+  const TemporaryFolder folder;
+  mutable std::string said, progress;
+};
+
+TEST_F(AStudy, MeasuresWritesAndRepeatsNothing) {
+  ASSERT_TRUE(run()) << said;
+  const std::string first = raw_text();
+  const auto lines = static_cast<std::size_t>(std::count(first.begin(), first.end(), '\n'));
+  EXPECT_EQ(lines, 2 * variants_of(find_case("elastic_bar"), Effort::quick).size()) << "two repeats of each";
+  const auto all = nlohmann::json::parse(read_text_file(folder.path() / "accuracy.json"));
+  const auto& bar = all.at("cases").at(0);
+  EXPECT_EQ(bar.at("case"), "elastic_bar");
+  const auto& points = bar.at("curves").at(0).at("points");
+  ASSERT_EQ(points.size(), 3u);
+  EXPECT_LT(points[2].at("error"), points[0].at("error").get<double>() / 8) << "second order: a quarter twice";
+  EXPECT_GT(bar.at("front").size(), 1u);
+  EXPECT_NE(read_text_file(folder.path() / "accuracy.md").find("half the error costs"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "accuracy/elastic_bar.svg"));
+  ASSERT_TRUE(run());
+  EXPECT_EQ(raw_text(), first);
+  EXPECT_NE(said.find(" 0 measured now"), std::string::npos) << said;
+}
+
+TEST_F(AStudy, GoesOnBehindAHalfWrittenLineAndRefusesADamagedOne) {
+  ASSERT_TRUE(run());
+  const std::string first = raw_text();
+  std::ofstream(raw(), std::ios::trunc) << first.substr(0, first.size() - 100);
+  ASSERT_TRUE(run());
+  EXPECT_NE(progress.find("its last line is half-written and left out"), std::string::npos) << progress;
+  EXPECT_NE(said.find(" 1 measured now"), std::string::npos) << said;
+  std::ofstream(raw(), std::ios::trunc) << "{\"what\": 1\n" << first;
+  try {
+    run_accuracy(options());
+    FAIL() << "a damaged line was taken";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("elastic_bar.jsonl:1: found a damaged line"), std::string::npos) << error.what();
+  }
+}
+
+TEST_F(AStudy, MeasuresAnewWhatAnotherProgramHasMeasured) {
+  ASSERT_TRUE(run());
+  std::string text = raw_text();
+  const std::string solver = nlohmann::json::parse(text.substr(0, text.find('\n'))).at("by").at("solver");
+  for (std::size_t at = text.find(solver); at != std::string::npos; at = text.find(solver, at))
+    text.replace(at, solver.size(), "0123456789abcdef");
+  std::ofstream(raw(), std::ios::trunc) << text;
+  ASSERT_TRUE(run());
+  const std::string both = raw_text();
+  EXPECT_EQ(std::count(both.begin(), both.end(), '\n'), 2 * std::count(text.begin(), text.end(), '\n')) << "added, nothing lost";
+}
+
+TEST_F(AStudy, MissesARepeatThatFoundAnotherError) {
+  ASSERT_TRUE(run());
+  std::string text = raw_text();
+  const std::size_t last = text.rfind("\"error\":");
+  text.insert(last + 8, "1");
+  std::ofstream(raw(), std::ios::trunc) << text;
+  EXPECT_FALSE(run());
+  EXPECT_NE(said.find("MISSED: a repeat found another error"), std::string::npos) << said;
+}
+
+}  // namespace
+}  // namespace bake::studies::accuracy
