@@ -51,7 +51,7 @@ Reference reference_of(const Results& results, const fs::path& folder) {
 }
 
 /// The results of the reference's scene, of which only what is missing is run.
-Results results_of(const Reference& reference, fs::path folder, bool quiet) {
+Results results_of(const Reference& reference, const fs::path& folder, bool quiet) {
   const Scene scene = read_scene(find_scene(reference.scene), {reference.quality, {}});
   RunOptions options;
   options.out = folder.empty() ? default_results(scene) : folder;
