@@ -119,8 +119,8 @@ struct Leavening {
   }
 
   /// - J [(nu_0 + nu) R theta_K / (J n) - p_ref] I with J n = J - (1 - n_0): all pore gas, against the atmosphere.
-  /// DEPARTS [Ding19 Eq. 13]: as printed only the CO2 counts, theta is not absolute and nothing pushes back.
   /// Open pores hold no vacuum: crust and crumb are full of broken walls, so that air follows where they are torn apart.
+  /// DEPARTS [Ding19 Eq. 13]: as printed only the CO2 counts, theta is not absolute and nothing pushes back.
   template <class P, class K>
   BAKE_INLINE static void stress(P& p, const K& k) {
     using V = typename P::V;
