@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solver/baker/engine.h"
 
+#include <fmt/format.h>
 #include <omp.h>
 
 #include <cstring>
@@ -117,8 +118,8 @@ double Engine<Real>::next_step(double from, double target, double next_target) {
   const bool reached = from >= target;
   const double left = (reached ? next_target : target) - from;
   if (limit.dt < scene_.time.smallest_step_s)
-    throw RunError("stability asks for a step of " + std::to_string(limit.dt) + " s (" + limit.reason +
-                   "), below time.smallest_step_s, in step " + std::to_string(counters_.steps) + " at t = " + std::to_string(time_) + " s");
+    throw RunError(fmt::format("stability asks for a step of {:.3g} s ({}), below time.smallest_step_s, in step {} at t = {:.6g} s",
+                               limit.dt, limit.reason, counters_.steps, time_));
   if (!(left > 0)) return 0;
   if (!(limit.dt < left)) return left;
   return left / std::ceil(left / limit.dt);  // equal steps up to the target
