@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +15,7 @@
 #include "analysis/charts/gnuplot.h"
 #include "analysis/charts/text.h"
 #include "solver/io/atomic_file.h"
+#include "solver/io/scratch_folder.h"
 #include "solver/scene/entry.h"
 #include "solver/scene/input_error.h"
 
@@ -137,27 +137,6 @@ std::vector<Column> csv_columns(const Chart& chart) {
 }
 
 // --- gnuplot --------------------------------------------------------------------------------------------------------
-
-/// A new empty folder for gnuplot's script and pictures, removed at the end.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string pattern = (fs::temp_directory_path() / "bake-chart-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) throw OutputError(pattern + ": cannot create a folder there");
-    path_ = pattern;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  fs::path operator/(const char* name) const { return path_ / name; }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 std::string shell_word(const std::string& text) {
   std::string result = "'";

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <omp.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <fstream>
@@ -12,6 +11,7 @@
 #include "solver/baker/kept_run.h"
 #include "solver/io/atomic_file.h"
 #include "solver/io/provenance.h"
+#include "solver/io/scratch_folder.h"
 #include "solver/scene/input_error.h"
 #include "solver/scene/resolved.h"
 #include "studies/accuracy/scene_file.h"
@@ -23,27 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-/// A folder for the two frames that metrics are taken from, removed at the end.
-class Scratch {
- public:
-  Scratch() {
-    std::string pattern = (fs::temp_directory_path() / "bake-accuracy-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) throw OutputError(pattern + ": cannot create a folder there");
-    path_ = pattern;
-    fs::create_directories(path_ / "frames");
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 fs::path reference_file(const std::string& name) { return fs::path(BAKE_SOURCE_DIR) / "reference/accuracy" / (name + ".json"); }
 
@@ -73,7 +52,8 @@ void run_for_results(const Scene& scene, const fs::path& folder, Found& found) {
 
 Found measure(const ReferencedScene& of, const Scene& scene) {
   Found found;
-  const Scratch scratch;
+  const ScratchFolder scratch;  // for the two frames that metrics are taken from
+  fs::create_directories(scratch / "frames");
   run_for_results(scene, scratch.path(), found);
   if (!found.failure.empty()) return found;
   const json reference = json::parse(std::ifstream(reference_file(of.name)));

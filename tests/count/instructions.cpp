@@ -13,23 +13,13 @@
 #include "solver/io/atomic_file.h"
 #include "solver/io/child.h"
 #include "solver/io/provenance.h"
+#include "solver/io/scratch_folder.h"
 #include "solver/scene/input_error.h"
 
 namespace bake::count {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder that is gone when it is no longer needed.
-struct Scratch {
-  fs::path path;
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "bake-count-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder can be made");
-    path = name;
-  }
-  ~Scratch() { fs::remove_all(path); }
-};
 
 /// What stands behind a word at the start of a line; "" if there is no such line.
 std::string line_after(const fs::path& file, const std::string& word) {
@@ -64,15 +54,15 @@ double count_of(const Counts& counts, const std::string& name) {
 Counts count_instructions(const fs::path& program) {
   if (std::system("command -v valgrind >/dev/null 2>&1") != 0)
     throw InputError("count: found no valgrind, allowed: with Debian's package valgrind");
-  const Scratch scratch;
-  const fs::path log = scratch.path / "log";
+  const ScratchFolder scratch;
+  const fs::path log = scratch / "log";
   const ChildEnd end = run_child({"valgrind", "--tool=callgrind", "--instr-atstart=no", "--compress-strings=no", "--compress-pos=no",
-                                  fmt::format("--callgrind-out-file={}", (scratch.path / "counts").string()), program.string(), "steps"},
+                                  fmt::format("--callgrind-out-file={}", (scratch / "counts").string()), program.string(), "steps"},
                                  log);
   if (end.exit_code != 0) throw std::runtime_error(fmt::format("valgrind ended with {}: {}", end.exit_code, line_after(log, "==")));
   Counts counts;
-  for (int part = 1; fs::exists(scratch.path / fmt::format("counts.{}", part)); ++part) {
-    const fs::path file = scratch.path / fmt::format("counts.{}", part);
+  for (int part = 1; fs::exists(scratch / fmt::format("counts.{}", part)); ++part) {
+    const fs::path file = scratch / fmt::format("counts.{}", part);
     const std::string name = line_after(file, "desc: Trigger: Client Request: ");
     if (!name.empty()) counts.emplace_back(name, own_instructions(file, program));
   }
