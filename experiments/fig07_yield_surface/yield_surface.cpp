@@ -13,7 +13,7 @@
 namespace bake {
 namespace {
 
-constexpr double k_dt = 1e-3;                // any: without viscosity the image does not depend on it
+constexpr double k_any_dt = 1e-3;            // any: without viscosity the image does not depend on it
 constexpr double k_nearly_none = 1.0001e-6;  // at 1e-6 itself, the least porosity, the solver lets nothing compact
 
 /// A yield surface in the plane of p and q, in units of tau_y.
@@ -24,7 +24,7 @@ struct Surface {
 
 /// The images of stresses half as far out again, from pure tension over pure shear to pure pressure.
 Surface surface_at(const Scene& scene, double n) {
-  const FlowStep step(scene, n, k_dt);
+  const FlowStep step(scene, n, k_any_dt);
   const double tip = 1 / std::sqrt(published_cap(n));  // only to aim; wherever the trial lies, its image lies on the surface
   constexpr int k_trials = 720;
   Surface surface{n, {}, {}};

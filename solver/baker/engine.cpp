@@ -39,14 +39,6 @@ void book_gravity(const Real* mass, const Point& origin, double dx, const Vector
   if (m > 0) book_impulse(origin + (dx / m) * first, m * dv, booked);
 }
 
-/// First column of a field, -1 if the model has it not.
-template <class Real>
-int column_of(const Physics<Real>& physics, std::string_view name) {
-  for (const auto& column : physics.columns)
-    if (column.name == name) return column.first;
-  return -1;
-}
-
 }  // namespace
 
 template <class Real>
@@ -322,8 +314,8 @@ template <class Real>
 void Engine<Real>::measure_published_surface(const Air& air) {
   const auto measure = [&]<KernelOrder order>() {
     surface_.template measure_published<order>(store_, grid_.data(), row_size(), physics_->volume_channel,
-                                               column_of(*physics_, field::VolumeRatio::name),
-                                               column_of(*physics_, field::InitialVolume::name), active_, lattice_, contacts_, air);
+                                               physics_->column_of(field::VolumeRatio::name),
+                                               physics_->column_of(field::InitialVolume::name), active_, lattice_, contacts_, air);
   };
   if (scene_.grid.kernel == KernelOrder::quadratic)
     measure.template operator()<KernelOrder::quadratic>();

@@ -10,11 +10,11 @@
 // blocks are added in block order, and threads only decide who does which column.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <vector>
 
 #include "solver/baker/contacts.h"
+#include "solver/baker/engine_types.h"
 #include "solver/baker/implicit_heat.h"
 #include "solver/baker/run_error.h"
 #include "solver/baker/time_step.h"
@@ -24,36 +24,6 @@
 #include "solver/scene/scene.h"
 
 namespace bake {
-
-/// A particle to be: position [m], volume [m^3], start motion.
-struct NewParticle {
-  Point x;
-  double volume;
-  std::int32_t material;
-  Vector3 velocity;
-  Vector3 spin;      ///< [rad/s]; its velocity field is already in `velocity`
-  const Body* body;  ///< start temperature, saturation, leavener
-};
-
-/// A force that no scene has (a study's): the velocity [m/s] that a node at `x` [m] has after it, if the step's other forces left the
-/// node with `v`, in the step from `time` on for `dt` [s]. Called by several threads at once.
-using NodalForce = std::function<Vector3(const Point& x, const Vector3& v, double time, double dt)>;
-
-/// Counts since the start of the run.
-struct Counters {
-  std::int64_t steps = 0;
-  std::int64_t particle_steps = 0;
-  std::int64_t orderings = 0;
-  std::int64_t clamped = 0;  ///< times a particle was held at a face of the domain
-  std::int64_t retired = 0;  ///< particles that left through open faces
-};
-
-/// Where the time of the steps went [s of the clock], since the engine was made.
-struct PhaseSeconds {
-  double grid = 0;      ///< the grid update: surface, forces, contact
-  double transfer = 0;  ///< the pass over the particles: clearing the grid, gather, law, scatter
-  double ordering = 0;  ///< particles into new home blocks, and the grid's rows after them
-};
 
 template <class Real>
 class Engine {
@@ -75,6 +45,7 @@ class Engine {
   double time() const { return time_; }
   double dt() const { return dt_; }
   const Counters& counters() const { return counters_; }
+  std::size_t identities_given() const { return static_cast<std::size_t>(next_identity_); }  ///< those of particles are below
   const Bookings& booked() const { return booked_; }  ///< sums since the start (area: of the last step)
   const Totals& totals() const { return totals_; }    ///< at the last sample
   const Totals& retired() const { return retired_; }  ///< sums since the start over particles when they left

@@ -58,9 +58,8 @@ void Engine<Real>::add(const std::vector<NewParticle>& particles, bool poured) {
     ++fresh.tiles.back().count;
   }
   fresh.data.resize_and_forget(fresh.tiles.size() * fresh.tile_size());
-  std::vector<Real> start(fresh.tiles.size() * 12 * W);  // velocity and affine velocity
-  const auto kept_velocity = std::find_if(physics_->columns.begin(), physics_->columns.end(),
-                                          [](const auto& column) { return column.name == field::Velocity::name; });  // FLIP
+  std::vector<Real> start(fresh.tiles.size() * 12 * W);                  // velocity and affine velocity
+  const int kept_velocity = physics_->column_of(field::Velocity::name);  // FLIP
   for (std::size_t t = 0; t < fresh.tiles.size(); ++t)
     for (int l = 0; l < W; ++l) {
       const std::size_t i = order[tile_first[t] + static_cast<std::size_t>(std::min(l, fresh.tiles[t].count - 1))];
@@ -69,8 +68,8 @@ void Engine<Real>::add(const std::vector<NewParticle>& particles, bool poured) {
       for (int d = 0; d < 3; ++d) columns[k_position_column + d][l] = homes[i].x[d];
       columns[k_identity_column][l] = identity_bits<Real>(next_identity_ + static_cast<std::int64_t>(i));
       physics_->fill(columns, l, p.material, p.volume, *p.body);
-      if (kept_velocity != physics_->columns.end())
-        for (int d = 0; d < 3; ++d) columns[kept_velocity->first + d][l] = static_cast<Real>(p.velocity[static_cast<std::size_t>(d)]);
+      if (kept_velocity >= 0)
+        for (int d = 0; d < 3; ++d) columns[kept_velocity + d][l] = static_cast<Real>(p.velocity[static_cast<std::size_t>(d)]);
       Real* s = start.data() + t * 12 * W + l;
       for (int d = 0; d < 3; ++d) s[d * W] = static_cast<Real>(p.velocity[static_cast<std::size_t>(d)]);
       const double C[9] = {0, -p.spin[2], p.spin[1], p.spin[2], 0, -p.spin[0], -p.spin[1], p.spin[0], 0};

@@ -4,7 +4,8 @@
 
 #include <vector>
 
-#include "solver/baker/engine.h"
+#include "solver/baker/engine_types.h"
+#include "solver/scene/scene.h"
 
 namespace bake {
 

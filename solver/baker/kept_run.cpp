@@ -6,6 +6,7 @@
 
 #include "solver/io/provenance.h"
 #include "solver/scene/resolved.h"
+#include "solver/scene/scene.h"
 
 namespace bake {
 namespace {

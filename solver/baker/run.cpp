@@ -13,12 +13,14 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/baker/simulation.h"
+#include "solver/io/checkpoint.h"
 #include "solver/io/ledger_file.h"
 #include "solver/io/progress.h"
 #include "solver/io/provenance.h"
 #include "solver/scene/describe.h"
 #include "solver/scene/doubts.h"
 #include "solver/scene/resolved.h"
+#include "solver/scene/scene.h"
 
 namespace bake {
 

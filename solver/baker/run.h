@@ -7,9 +7,10 @@
 #include <string>
 
 #include "solver/baker/run_error.h"
-#include "solver/scene/scene.h"
 
 namespace bake {
+
+struct Scene;
 
 struct RunOptions {
   std::filesystem::path out;  ///< folder of the results; made if it is not there

@@ -4,11 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
+#include "solver/baker/engine.h"
 #include "solver/baker/fill_scene.h"
 #include "solver/boundary/vector3.h"
 #include "solver/particles/fields.h"
+#include "solver/scene/scene.h"
 
 namespace bake {
 
@@ -151,22 +152,20 @@ class SimulationOf final : public Simulation {
 
   Snapshot snapshot() const override {
     Snapshot s;
-    const auto& physics = engine_.physics();
-    for (const auto& c : physics.columns)
-      if (c.first != k_position_column && c.first != k_identity_column) s.columns.push_back({c.name, {}});
-    for_each_particle([&](const Lanes<Real>* columns, std::size_t tile, int l, const Point& origin) {
-      s.id.push_back(identity_of<Real>(columns, l));
-      s.material.push_back(engine_.store().tiles[tile].material);
-      s.position.push_back(position(columns, l, origin));
-      if (engine_.velocity().size() > 0) s.velocity.push_back(velocity(tile, l));
-      std::size_t at = 0;
-      for (const auto& c : physics.columns)
-        if (c.first != k_position_column && c.first != k_identity_column) {
-          for (int i = 0; i < c.width; ++i) s.columns[at].second.push_back(static_cast<double>(columns[c.first + i][l]));
-          ++at;
-        }
-    });
-    sort_by_identity(s);
+    const std::vector<Place> places = places_by_identity();
+    for (const Place& p : places) {
+      s.id.push_back(identity_of<Real>(p.columns, p.lane));
+      s.material.push_back(engine_.store().tiles[p.tile].material);
+      s.position.push_back(position(p));
+      if (engine_.velocity().size() > 0) s.velocity.push_back(velocity(p));
+    }
+    for (const auto& c : engine_.physics().columns) {
+      if (c.first == k_position_column || c.first == k_identity_column) continue;
+      auto& values = s.columns.emplace_back(c.name, std::vector<double>()).second;
+      values.reserve(places.size() * static_cast<std::size_t>(c.width));
+      for (const Place& p : places)
+        for (int i = 0; i < c.width; ++i) values.push_back(number(p, c.first + i));
+    }
     return s;
   }
 
@@ -177,8 +176,8 @@ class SimulationOf final : public Simulation {
     const auto total = [&](Total which) { return t[static_cast<std::size_t>(which)]; };
     const auto booked = [&](Entry which) { return b[static_cast<std::size_t>(which)]; };
     Point low{k_infinity, k_infinity, k_infinity}, high{-k_infinity, -k_infinity, -k_infinity};
-    for_each_particle([&](const Lanes<Real>* columns, std::size_t, int l, const Point& origin) {
-      const Point x = position(columns, l, origin);
+    for_each_particle([&](const Place& p) {
+      const Point x = position(p);
       for (std::size_t d = 0; d < 3; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
     });
     const bool none = engine_.particles() == 0, cold = none || !engine_.physics().has_heat;
@@ -230,54 +229,57 @@ class SimulationOf final : public Simulation {
   }
 
   void write_frame_file(const std::filesystem::path& path) const override {
-    const Snapshot s = snapshot();
-    const std::size_t n = s.id.size();
+    const std::vector<Place> places = places_by_identity();
     std::vector<float> x, v;
-    for (const Vector3& p : s.position)
-      for (const double c : p) x.push_back(static_cast<float>(c));
-    for (const Vector3& u : s.velocity)
-      for (const double c : u) v.push_back(static_cast<float>(c));
-    std::vector<std::int64_t> material(s.material.begin(), s.material.end());
+    std::vector<std::int64_t> id, material;
+    for (const Place& p : places) {
+      id.push_back(identity_of<Real>(p.columns, p.lane));
+      material.push_back(engine_.store().tiles[p.tile].material);
+      for (const double c : position(p)) x.push_back(static_cast<float>(c));
+      if (engine_.velocity().size() > 0)
+        for (const double c : velocity(p)) v.push_back(static_cast<float>(c));
+    }
     FrameData frame;
     frame.positions = x;
-    frame.columns.push_back({"id", "1", std::span<const std::int64_t>(s.id)});
+    frame.columns.push_back({"id", "1", std::span<const std::int64_t>(id)});
     frame.columns.push_back({"material", "1", std::span<const std::int64_t>(material)});
-    if (!v.empty() || (n == 0 && engine_.physics().moves)) frame.columns.push_back({"velocity", "m/s", std::span<const float>(v), 3});
+    if (!v.empty() || (places.empty() && engine_.physics().moves))
+      frame.columns.push_back({"velocity", "m/s", std::span<const float>(v), 3});
     std::vector<std::vector<float>> kept;  // spans into it
-    const auto scalar = [&](const char* name, const char* unit, auto value_of) {
-      kept.emplace_back(n);
-      for (std::size_t i = 0; i < n; ++i) kept.back()[i] = static_cast<float>(value_of(i));
-      frame.columns.push_back({name, unit, std::span<const float>(kept.back())});
-    };
     kept.reserve(16);
-    const auto has = [&](const char* name) {
-      return std::any_of(s.columns.begin(), s.columns.end(), [&](const auto& c) { return c.first == name; });
+    const auto scalar = [&](const char* name, const char* unit, auto value_of) {
+      std::vector<float>& values = kept.emplace_back();
+      values.reserve(places.size());
+      for (const Place& p : places) values.push_back(static_cast<float>(value_of(p)));
+      frame.columns.push_back({name, unit, std::span<const float>(values)});
     };
-    const bool moves = has(field::VolumeRatio::name);
-    const auto& V_0 = s[field::InitialVolume::name];
-    const auto volume = [&](std::size_t i) { return moves ? V_0[i] * s[field::VolumeRatio::name][i] : V_0[i]; };
+    const auto column = [&](const char* name) { return engine_.physics().column_of(name); };
+    const auto stored = [&](const char* name, const char* unit, int column) {
+      scalar(name, unit, [=](const Place& p) { return number(p, column); });
+    };
+    const auto material_of = [&](const Place& p) -> const Material& {
+      return scene_.materials[static_cast<std::size_t>(engine_.store().tiles[p.tile].material)];
+    };
+    const int V_0 = column(field::InitialVolume::name), J = column(field::VolumeRatio::name), m_w = column(field::WaterMass::name);
+    const auto volume = [=](const Place& p) { return J < 0 ? number(p, V_0) : number(p, V_0) * number(p, J); };
     scalar("volume", "m^3", volume);
-    if (moves) scalar("volume_ratio", "1", [&](std::size_t i) { return s[field::VolumeRatio::name][i]; });
-    if (has(field::Temperature::name)) {
-      scalar("temperature", "C", [&](std::size_t i) { return s[field::Temperature::name][i]; });
-      scalar("peak_temperature", "C", [&](std::size_t i) { return s[field::PeakTemperature::name][i]; });
+    if (J >= 0) stored("volume_ratio", "1", J);
+    if (const int theta = column(field::Temperature::name); theta >= 0) {
+      stored("temperature", "C", theta);
+      stored("peak_temperature", "C", column(field::PeakTemperature::name));
     }
-    if (has(field::WaterMass::name)) {
-      scalar("water_mass", "kg", [&](std::size_t i) { return s[field::WaterMass::name][i]; });
-      scalar("saturation", "1", [&](std::size_t i) {
-        const Material& m = scene_.materials[static_cast<std::size_t>(s.material[i])];
-        return s[field::WaterMass::name][i] / (of<Water>(m).water_density_kg_per_m3 * volume(i));
-      });
+    if (m_w >= 0) {
+      stored("water_mass", "kg", m_w);
+      scalar("saturation", "1",
+             [&](const Place& p) { return number(p, m_w) / (of<Water>(material_of(p)).water_density_kg_per_m3 * volume(p)); });
     }
-    if (has(field::PlasticVolumeRatio::name)) {
-      scalar("plastic_volume_ratio", "1", [&](std::size_t i) { return s[field::PlasticVolumeRatio::name][i]; });
-      scalar("porosity", "1", [&](std::size_t i) {
-        return 1 - (1 - scene_.materials[static_cast<std::size_t>(s.material[i])].initial_porosity) / s[field::VolumeRatio::name][i];
-      });
+    if (const int J_P = column(field::PlasticVolumeRatio::name); J_P >= 0) {
+      stored("plastic_volume_ratio", "1", J_P);
+      scalar("porosity", "1", [&](const Place& p) { return 1 - (1 - material_of(p).initial_porosity) / number(p, J); });
     }
-    if (has(field::ProducedGas::name)) {
-      scalar("produced_gas", "mol/m^3", [&](std::size_t i) { return s[field::ProducedGas::name][i]; });
-      scalar("leavener", "1", [&](std::size_t i) { return s[field::Leavener::name][i]; });
+    if (const int nu = column(field::ProducedGas::name); nu >= 0) {
+      stored("produced_gas", "mol/m^3", nu);
+      stored("leavener", "1", column(field::Leavener::name));
     }
     write_frame(path, engine_.time(), frame);
   }
@@ -297,41 +299,37 @@ class SimulationOf final : public Simulation {
       while (spout->next_time() <= engine_.time()) engine_.add(spout->pour(), true);
   }
 
+  /// Where a particle is kept; its numbers are the lane of the tile's columns.
+  struct Place {
+    std::size_t block, tile;
+    int lane;
+    const Lanes<Real>* columns;
+  };
+
   template <class Visit>
   void for_each_particle(Visit visit) const {
     const auto& store = engine_.store();
-    for (const HomeBlock& block : store.blocks) {
-      const Point origin = engine_.lattice().origin(block.at);
-      for (std::int32_t t = block.first_tile; t < block.first_tile + block.tiles; ++t)
-        for (int l = 0; l < store.tiles[static_cast<std::size_t>(t)].count; ++l)
-          visit(store.tile(static_cast<std::size_t>(t)), static_cast<std::size_t>(t), l, origin);
-    }
+    for (std::size_t b = 0; b < store.blocks.size(); ++b)
+      for (std::int32_t t = store.blocks[b].first_tile; t < store.blocks[b].first_tile + store.blocks[b].tiles; ++t) {
+        const auto tile = static_cast<std::size_t>(t);
+        for (int l = 0; l < store.tiles[tile].count; ++l) visit(Place{b, tile, l, store.tile(tile)});
+      }
   }
-  Point position(const Lanes<Real>* columns, int l, const Point& origin) const {
-    Point x;
-    for (std::size_t d = 0; d < 3; ++d) x[d] = origin[d] + engine_.lattice().dx() * static_cast<double>(columns[k_position_column + d][l]);
-    return x;
+  std::vector<Place> places_by_identity() const {
+    std::vector<Place> places(engine_.identities_given(), Place{0, 0, 0, nullptr});
+    for_each_particle([&](const Place& p) { places[static_cast<std::size_t>(identity_of<Real>(p.columns, p.lane))] = p; });
+    std::erase_if(places, [](const Place& p) { return p.columns == nullptr; });  // those that left
+    return places;
   }
-  Vector3 velocity(std::size_t tile, int l) const {
-    const Real* v = engine_.velocity().data() + tile * 3 * W + l;
+  static double number(const Place& p, int column) { return static_cast<double>(p.columns[column][p.lane]); }
+  Point position(const Place& p) const {
+    const Point origin = engine_.lattice().origin(engine_.store().blocks[p.block].at);
+    return origin + engine_.lattice().dx() *
+                        Vector3{number(p, k_position_column), number(p, k_position_column + 1), number(p, k_position_column + 2)};
+  }
+  Vector3 velocity(const Place& p) const {
+    const Real* v = engine_.velocity().data() + p.tile * 3 * W + p.lane;
     return {double(v[0]), double(v[W]), double(v[2 * W])};
-  }
-  static void sort_by_identity(Snapshot& s) {
-    std::vector<std::size_t> order(s.id.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return s.id[a] < s.id[b]; });
-    const auto permute = [&](auto& values, std::size_t width) {
-      auto sorted = values;
-      for (std::size_t i = 0; i < order.size(); ++i)
-        for (std::size_t k = 0; k < width; ++k) sorted[i * width + k] = values[order[i] * width + k];
-      values = std::move(sorted);
-    };
-    permute(s.id, 1);
-    permute(s.material, 1);
-    permute(s.position, 1);
-    if (!s.velocity.empty()) permute(s.velocity, 1);
-    for (auto& [name, values] : s.columns)
-      if (!order.empty()) permute(values, values.size() / order.size());
   }
 
   const Scene scene_;

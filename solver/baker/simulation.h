@@ -7,10 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "solver/baker/engine.h"
+#include "solver/baker/engine_types.h"
+#include "solver/effects/totals.h"
 #include "solver/io/frames.h"
 
 namespace bake {
+
+class CheckpointReader;
+class CheckpointWriter;
+struct Scene;
 
 /// The numbers of one row of ledger.csv.
 std::vector<std::string> ledger_columns();

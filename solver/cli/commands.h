@@ -7,7 +7,10 @@
 #include <string>
 
 #include "solver/cli/program.h"
-#include "solver/scene/scene.h"
+
+namespace bake {
+struct Scene;
+}
 
 namespace bake::cli {
 

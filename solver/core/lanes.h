@@ -6,14 +6,10 @@
 // shuffled (measured: 18 times slower).
 #pragma once
 
-#include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <type_traits>
 #include <utility>
-
-#if defined(__AVX512DQ__)
-#include <immintrin.h>
-#endif
 
 #define BAKE_INLINE inline __attribute__((always_inline))
 
@@ -72,32 +68,31 @@ BAKE_INLINE V clamp(V a, V low, V high) {
   return min(max(a, low), high);
 }
 
-#define BAKE_LANE_FUNCTION(name)                                                             \
-  template <class Real>                                                                      \
-  BAKE_INLINE Lanes<Real> name##_lanes(Lanes<Real> a) {                                      \
-    using Array = Eigen::Array<Real, k_width<Real>, 1>;                                      \
-    Lanes<Real> result;                                                                      \
-    Eigen::Map<Array, Eigen::Aligned16>(reinterpret_cast<Real*>(&result)) =                  \
-        Eigen::Map<const Array, Eigen::Aligned16>(reinterpret_cast<const Real*>(&a)).name(); \
-    return result;                                                                           \
-  }                                                                                          \
-  BAKE_INLINE Lanes<float> name(Lanes<float> a) { return name##_lanes<float>(a); }           \
-  BAKE_INLINE Lanes<double> name(Lanes<double> a) { return name##_lanes<double>(a); }
-BAKE_LANE_FUNCTION(sqrt)
-BAKE_LANE_FUNCTION(log)
-BAKE_LANE_FUNCTION(exp)
-BAKE_LANE_FUNCTION(log1p)
-BAKE_LANE_FUNCTION(expm1)
-#undef BAKE_LANE_FUNCTION
+template <class V>
+BAKE_INLINE V sqrt(V a) {
+  V result;
+  for (unsigned l = 0; l < sizeof(a) / sizeof(a[0]); ++l) result[l] = std::sqrt(a[l]);  // one instruction
+  return result;
+}
+
+// Lane by lane, to a few units in the last place. Functions of their own and not inlined: they are long.
+Lanes<float> exp(Lanes<float> a);
+Lanes<double> exp(Lanes<double> a);
+Lanes<float> log(Lanes<float> a);
+Lanes<double> log(Lanes<double> a);
+Lanes<float> expm1(Lanes<float> a);
+Lanes<double> expm1(Lanes<double> a);
+Lanes<float> log1p(Lanes<float> a);
+Lanes<double> log1p(Lanes<double> a);
 
 /// Is any lane true?
 template <class Mask>
 BAKE_INLINE bool any(Mask mask) {
 #if defined(__AVX512DQ__)
-  if constexpr (sizeof(mask[0]) == 4)
-    return _mm512_movepi32_mask(reinterpret_cast<__m512i>(mask)) != 0;
-  else
-    return _mm512_movepi64_mask(reinterpret_cast<__m512i>(mask)) != 0;
+  // the compiler's own function, not the intrinsic: the header of those takes half a second to compile
+  if constexpr (sizeof(mask[0]) == 4) return __builtin_ia32_cvtd2mask512(mask) != 0;
+  typedef long long Whole __attribute__((vector_size(64)));
+  return __builtin_ia32_cvtq2mask512(reinterpret_cast<Whole>(mask)) != 0;
 #else
   auto found = mask[0];
   for (unsigned l = 1; l < sizeof(mask) / sizeof(mask[0]); ++l) found |= mask[l];

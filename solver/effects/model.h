@@ -17,6 +17,7 @@
 
 #include "solver/effects/flip.h"
 #include "solver/effects/free_surface.h"
+#include "solver/effects/model_list.h"
 #include "solver/effects/physics.h"
 #include "solver/scene/scene.h"
 
@@ -350,5 +351,10 @@ typename Model<Real, Effects...>::V Model<Real, Effects...>::conductance(const V
 }
 
 #undef BAKE_FOR_EACH_EFFECT
+
+template <class Real, class... Effects>
+std::unique_ptr<Physics<Real>> compose(Composition<Effects...>, const Scene& scene) {
+  return std::make_unique<Model<Real, Effects...>>(scene);
+}
 
 }  // namespace bake

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "solver/core/lanes.h"
@@ -98,6 +99,12 @@ class Physics {
     int first, width;
   };
   std::vector<Column> columns;  ///< stored per particle, position and identity first
+  /// First column of a field, -1 if no effect has it.
+  int column_of(std::string_view name) const {
+    for (const Column& column : columns)
+      if (column.name == name) return column.first;
+    return -1;
+  }
   int column_count = 0;
   int scatter_channels = 0;  ///< numbers per node before the grid update
   int moment_channels = 0;   ///< the first so many of them have coefficients of the node offsets

@@ -5,7 +5,7 @@ set(generated ${CMAKE_BINARY_DIR}/generated)
 string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)
 get_target_property(options bake_flags INTERFACE_COMPILE_OPTIONS)
 list(JOIN options " " options)
-string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} ${options}" BAKE_FLAGS)
+string(STRIP "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${build_type}} ${BAKE_SOLVER_FLAGS} ${options}" BAKE_FLAGS)
 string(REPLACE "\"" "\\\"" BAKE_FLAGS "${BAKE_FLAGS}")
 configure_file(${CMAKE_CURRENT_LIST_DIR}/bake_build.h.in ${generated}/bake_build.h @ONLY)
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "solver/scene/scene.h"
-
 namespace bake {
+
+struct Scene;
 
 /// One line for every effect that is listed though the scene leaves it nothing to do, which only costs time, and for every effect that
 /// is not listed though a material that is used has a coefficient of it, which then means nothing. Materials no body and no emitter

@@ -11,7 +11,7 @@
 namespace bake {
 namespace {
 
-constexpr int k_deepest = 32;  // shapes within shapes
+constexpr int k_deepest_shape = 32;  // shapes within shapes
 
 /// Keeps a shape alive together with the way the scene draws it, as the deleter of the pointer that the scene holds:
 /// shapes stay pure geometry, and asking for a distance takes no detour.
@@ -88,7 +88,7 @@ std::string name_of_solid(const SceneEntry& entry) {
 
 Drawn draw(const SceneEntry& entry, int depth) {
   if (!entry.node().is_table()) entry.refuse(allowed<ShapePtr>({}));
-  if (depth > k_deepest) entry.complain(fmt::format("shapes within shapes too deep, allowed: {} levels", k_deepest));
+  if (depth > k_deepest_shape) entry.complain(fmt::format("shapes within shapes too deep, allowed: {} levels", k_deepest_shape));
   const std::string name = name_of_solid(entry);
   Drawn result;
   result.shape = draw_named(*entry.find(name), name, depth, result.drawn[name]);

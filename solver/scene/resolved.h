@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "solver/scene/scene.h"
-
 namespace bake {
+
+struct Scene;
 
 /// Everything the run is made from, laid out like the scene file: `toml_text` of it without "file" and "quality" is a scene
 /// that resolves to the same values. Infinities are the strings "inf" and "-inf", what was not given and has no default is

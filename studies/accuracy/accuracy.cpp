@@ -9,6 +9,7 @@
 #include "solver/io/atomic_file.h"
 #include "solver/io/provenance.h"
 #include "solver/scene/input_error.h"
+#include "solver/scene/scene.h"
 #include "studies/accuracy/knobs.h"
 #include "studies/accuracy/result.h"
 

@@ -10,7 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "solver/scene/scene.h"
+namespace bake {
+struct Scene;
+}
 
 namespace bake::studies::accuracy {
 

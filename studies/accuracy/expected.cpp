@@ -8,6 +8,7 @@
 #include "solver/scene/entry.h"
 #include "solver/scene/input_error.h"
 #include "solver/scene/resolved.h"
+#include "solver/scene/scene.h"
 
 namespace bake::studies::accuracy {
 

@@ -14,6 +14,7 @@
 #include "solver/io/scratch_folder.h"
 #include "solver/scene/input_error.h"
 #include "solver/scene/resolved.h"
+#include "solver/scene/scene.h"
 #include "studies/accuracy/scene_file.h"
 #include "studies/accuracy/simulate.h"
 

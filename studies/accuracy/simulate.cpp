@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "solver/baker/run_error.h"
 #include "solver/io/progress.h"
 #include "studies/setting.h"
 

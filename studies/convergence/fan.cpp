@@ -17,7 +17,7 @@ namespace bake::studies {
 
 namespace {
 
-constexpr double k_speed = 0.15, k_end = 0.4;  // [m/s], [s]; the strain in the middle is 17 %
+constexpr double k_parting_speed = 0.15, k_fan_s = 0.4;  // [m/s], [s]; the strain in the middle is 17 %
 
 /// u of the fan at wave speed c, from 0 at c = 1 up: bisection of sqrt(1 - u) exp(-u).
 double strain_at(double c) {
@@ -30,8 +30,8 @@ double strain_at(double c) {
 }
 
 double exact_velocity(double X) {
-  const double lost = 2. / 3 * (1 - std::pow(1 - strain_at(std::abs(X - 0.5) / k_end), 1.5));
-  return std::copysign(std::max(0.0, k_speed - lost), X - 0.5);
+  const double lost = 2. / 3 * (1 - std::pow(1 - strain_at(std::abs(X - 0.5) / k_fan_s), 1.5));
+  return std::copysign(std::max(0.0, k_parting_speed - lost), X - 0.5);
 }
 
 }  // namespace
@@ -53,14 +53,14 @@ std::vector<Errors> hencky_fan(bool quick) {
     bar.cells = static_cast<int>(n);
     bar.air = bar.cells / 8;
     bar.time = "safety = 0.5";
-    bar.end_s = k_end;
-    bar.state = [](double x) { return fmt::format("velocity_m_per_s = [{}, 0, 0]", x < 0.5 ? -k_speed : k_speed); };
+    bar.end_s = k_fan_s;
+    bar.state = [](double x) { return fmt::format("velocity_m_per_s = [{}, 0, 0]", x < 0.5 ? -k_parting_speed : k_parting_speed); };
     const auto s = bar.begin();
     const Snapshot first = s->snapshot();
-    run_to(*s, k_end);
+    run_to(*s, k_fan_s);
     const Snapshot now = s->snapshot();
     const auto velocity = [&](std::size_t i) { return now.velocity[i][0]; };
-    e.errors.push_back(root_mean_square(differences(first, velocity, exact_velocity, {0.05, 0.95})) / k_speed);
+    e.errors.push_back(root_mean_square(differences(first, velocity, exact_velocity, {0.05, 0.95})) / k_parting_speed);
   }
   return {e};
 }

@@ -15,7 +15,7 @@ namespace bake::studies {
 
 namespace {
 
-constexpr double k_speed = 0.3, k_end = 0.25, k_yield = 0.01, k_mu = 0.5;  // E = 1 Pa, nu = 0
+constexpr double k_pressing_speed = 0.3, k_pressing_s = 0.25, k_yield = 0.01, k_mu = 0.5;  // E = 1 Pa, nu = 0
 
 struct Norm {
   const char* name;
@@ -27,13 +27,13 @@ const Norm k_norms[] = {
     {"quadratic", 1.3e-4, [](double q, double eta) { return 2 * q * (q * q - k_yield * k_yield) / eta; }},
 };
 
-/// q at k_end, by small steps of the classical Runge-Kutta method.
+/// q at k_pressing_s, by small steps of the classical Runge-Kutta method.
 double exact_stress(const Norm& norm) {
   const auto slope = [&](double t, double q) {
-    return 2 * k_mu * k_speed / (1 - k_speed * t) - 3 * k_mu * (q > k_yield ? norm.rate(q, norm.viscosity) : 0);
+    return 2 * k_mu * k_pressing_speed / (1 - k_pressing_speed * t) - 3 * k_mu * (q > k_yield ? norm.rate(q, norm.viscosity) : 0);
   };
   constexpr int steps = 100000;
-  constexpr double h = k_end / steps;
+  constexpr double h = k_pressing_s / steps;
   double q = 0;
   for (int i = 0; i < steps; ++i) {
     const double t = i * h, a = slope(t, q), b = slope(t + h / 2, q + h / 2 * a), c = slope(t + h / 2, q + h / 2 * b);
@@ -49,15 +49,15 @@ std::vector<double> stress_errors(const Norm& norm, double cells, int rows) {
   bar.cells = static_cast<int>(cells);
   bar.rows = rows;
   bar.air = 4;
-  bar.end_s = k_end;
+  bar.end_s = k_pressing_s;
   bar.time = "safety = 0.5";
   bar.material =
       fmt::format("young_modulus_Pa = 1\npoisson_ratio = 0\ninitial_porosity = 1e-7\nyield_stress_Pa = {}\nviscosity_Pa_s = {}\n", k_yield,
                   norm.viscosity);
   bar.tables = fmt::format("[plasticity]\nnorm = \"{}\"\n", norm.name);
-  bar.state = [](double x) { return fmt::format("velocity_m_per_s = [{:.17g}, 0, 0]", -k_speed * (x - 0.5)); };
+  bar.state = [](double x) { return fmt::format("velocity_m_per_s = [{:.17g}, 0, 0]", -k_pressing_speed * (x - 0.5)); };
   const auto s = bar.begin();
-  run_to(*s, k_end);
+  run_to(*s, k_pressing_s);
   const Snapshot now = s->snapshot();
   const auto& b = now["elastic_strain"];  // b_E - I: xx, yy, zz, yz, zx, xy
   const double exact = exact_stress(norm);

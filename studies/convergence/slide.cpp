@@ -13,14 +13,14 @@ namespace bake::studies {
 
 namespace {
 
-constexpr double k_end = 1, k_angle = 30 * std::numbers::pi / 180;  // [s], [rad]; g = 1 m/s^2
+constexpr double k_sliding_s = 1, k_angle = 30 * std::numbers::pi / 180;  // [s], [rad]; g = 1 m/s^2
 
 /// A stiff block on the domain's floor, half a metre long; gravity is tilted instead of the floor.
 std::unique_ptr<Simulation> block(double cells, double friction, double speed, const char* transfer = "apic") {
   Setting setting;
   setting.effects = "\"motion\", \"elasticity\"";
   setting.dx = 0.5 / cells;
-  setting.end_s = k_end;
+  setting.end_s = k_sliding_s;
   setting.low = {-0.5, -0.5, 0};
   setting.high = {1.5, 0.5, 1};
   setting.faces = fmt::format("friction = {}\n", friction);
@@ -50,11 +50,11 @@ std::array<double, 2> velocity(const Simulation& s) {
 double creep(double cells, const char* transfer) {
   const auto s = block(cells, 0.8, 0, transfer);
   const Snapshot first = s->snapshot();
-  run_to(*s, k_end);
+  run_to(*s, k_sliding_s);
   const Snapshot now = s->snapshot();
   double path = 0;
   for (std::size_t i = 0; i < now.id.size(); ++i) path += now.position[i][0] - first.position[i][0];
-  return std::abs(path) / static_cast<double>(now.id.size()) / (std::sin(k_angle) * k_end * k_end / 2);
+  return std::abs(path) / static_cast<double>(now.id.size()) / (std::sin(k_angle) * k_sliding_s * k_sliding_s / 2);
 }
 
 }  // namespace
@@ -88,12 +88,13 @@ std::vector<Errors> slope(bool quick) {
     e->refined = "cells in the length";
     e->refinements = quick ? std::vector<double>{4, 8} : std::vector<double>{4, 8, 16, 24};
   }
-  const double gain = (std::sin(k_angle) - friction * std::cos(k_angle)) * k_end;
+  const double gain = (std::sin(k_angle) - friction * std::cos(k_angle)) * k_sliding_s;
   for (const double n : law.refinements) {
     const auto s = block(n, friction, start);
-    run_to(*s, k_end);
+    run_to(*s, k_sliding_s);
     const auto [along, off] = velocity(*s);
-    law.errors.push_back(std::abs(along - start - std::sin(k_angle) * k_end + friction * (std::cos(k_angle) * k_end + off)) / gain);
+    law.errors.push_back(std::abs(along - start - std::sin(k_angle) * k_sliding_s + friction * (std::cos(k_angle) * k_sliding_s + off)) /
+                         gain);
     speed.errors.push_back(std::abs((along - start) / gain - 1));
     stuck.errors.push_back(creep(n, "pic"));
     chatter.errors.push_back(creep(n, "apic"));

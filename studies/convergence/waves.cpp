@@ -15,7 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double k_speed = 1e-6;  ///< of the dough, in wave speeds: the strain is as small
+constexpr double k_dough_speed = 1e-6;  ///< of the dough, in wave speeds: the strain is as small
 
 Bar elastic_bar() {
   Bar bar;
@@ -38,12 +38,12 @@ double pulse_error(double cells, double courant) {
   bar.cells = static_cast<int>(cells);
   bar.end_s = t;
   bar.time = fmt::format("safety = {:.17g}", courant);
-  bar.state = moving(pulse, k_speed);
+  bar.state = moving(pulse, k_dough_speed);
   const auto s = bar.begin();
   run_to(*s, t);
   const Snapshot now = s->snapshot();
   const auto exact = [](double x) { return (pulse(x - t) + pulse(x + t)) / 2; };
-  return root_mean_square(differences(now, [&](std::size_t i) { return now.velocity[i][0] / k_speed; }, exact, {0.1, 0.9}));
+  return root_mean_square(differences(now, [&](std::size_t i) { return now.velocity[i][0] / k_dough_speed; }, exact, {0.1, 0.9}));
 }
 
 /// What the velocity has of the shape, as a share of the first amplitude.
@@ -53,7 +53,7 @@ double share_of(const Snapshot& now, const Profile& shape, double speed) {
   return 2 * sum / (speed * static_cast<double>(now.id.size()));
 }
 
-double cosine(double x) { return std::cos(pi * x); }
+double whole_wave(double x) { return std::cos(pi * x); }
 
 /// The bar's lowest mode, of period 2 s: velocity shape(x) cos(pi t).
 std::vector<Errors> first_period(Bar bar, const Profile& shape, bool quick) {
@@ -63,19 +63,19 @@ std::vector<Errors> first_period(Bar bar, const Profile& shape, bool quick) {
   velocity.refined = period.refined = "cells";
   velocity.refinements = period.refinements = quick ? std::vector<double>{16, 32, 64} : std::vector<double>{16, 32, 64, 128, 256};
   bar.end_s = 0.5;
-  bar.state = moving(shape, k_speed);
+  bar.state = moving(shape, k_dough_speed);
   for (const double n : velocity.refinements) {
     bar.cells = static_cast<int>(n);
     const auto s = bar.begin();
     run_to(*s, 0.5);
-    const double first = share_of(s->snapshot(), shape, k_speed);
+    const double first = share_of(s->snapshot(), shape, k_dough_speed);
     run_to(*s, 1.5);
-    const double second = share_of(s->snapshot(), shape, k_speed);
+    const double second = share_of(s->snapshot(), shape, k_dough_speed);
     period.errors.push_back(std::abs(first + second) / pi);  // where the share is zero it changes by pi per second
     run_to(*s, 2);
     const Snapshot now = s->snapshot();
     velocity.errors.push_back(root_mean_square(differences(
-        now, [&](std::size_t i) { return now.velocity[i][0] / k_speed; }, shape, k_interior)));
+        now, [&](std::size_t i) { return now.velocity[i][0] / k_dough_speed; }, shape, k_interior)));
   }
   velocity.low = 1.8, velocity.high = 2.3;
   velocity.why = "second order: at its largest the velocity does not feel an error of time, and the loss of APIC is of higher order";
@@ -91,11 +91,11 @@ Bar bar(int cells, double speed) {
   bar.cells = cells;
   bar.air = 4;
   bar.end_s = period_s / 4;
-  bar.state = moving(cosine, speed);
+  bar.state = moving(whole_wave, speed);
   return bar;
 }
 
-double share(const Snapshot& now, double speed) { return share_of(now, cosine, speed); }
+double share(const Snapshot& now, double speed) { return share_of(now, whole_wave, speed); }
 
 }  // namespace first_mode
 
@@ -121,7 +121,7 @@ std::vector<Errors> pulse_wave(bool quick) {
 std::vector<Errors> free_bar(bool quick) {
   Bar bar = elastic_bar();
   bar.air = 4;
-  std::vector<Errors> all = first_period(bar, cosine, quick);
+  std::vector<Errors> all = first_period(bar, whole_wave, quick);
   all[1].low = 1.8, all[1].high = 2.3;
   all[1].why = "second order: a free end carries no stress, so that its surface layer has nothing to get wrong";
   return all;

@@ -8,8 +8,10 @@
 #include <memory>
 #include <stdexcept>
 
+#include "solver/baker/engine.h"
 #include "solver/baker/simulation.h"
 #include "solver/io/progress.h"
+#include "solver/scene/scene.h"
 #include "studies/effects/effects.h"
 #include "studies/machines/scenes.h"
 #include "studies/statistics.h"

@@ -5,7 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "solver/scene/scene.h"
+#include "solver/scene/settings.h"
+
+namespace bake {
+struct Scene;
+}
 
 namespace bake::bench {
 

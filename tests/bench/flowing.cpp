@@ -3,6 +3,7 @@
 
 #include "solver/core/symmetric.h"
 #include "solver/effects/plasticity.h"
+#include "solver/scene/scene.h"
 
 namespace bake::bench {
 

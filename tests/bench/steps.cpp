@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 
+#include "solver/baker/engine.h"
 #include "solver/baker/simulation.h"
 #include "solver/scene/describe.h"
 #include "studies/machines/scenes.h"

@@ -6,6 +6,7 @@
 #include <map>
 #include <random>
 
+#include "solver/baker/engine.h"
 #include "solver/boundary/rotation.h"
 #include "solver/particles/order.h"
 #include "tests/conservation/dough.h"

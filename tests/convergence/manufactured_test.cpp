@@ -27,7 +27,7 @@ constexpr Motion k_vortex{vortex::position, vortex::velocity, vortex::body_force
 
 /// f'(0) to fourth order from f at -2, -1, 1, 2 steps.
 template <class Function>
-auto slope(Function f, double step) {
+auto difference(Function f, double step) {
   return ((8 * (f(step) - f(-step)) - (f(2 * step) - f(-2 * step))) / (12 * step)).eval();
 }
 
@@ -40,7 +40,7 @@ Point moved(Point X, int axis, double by) {
 /// P = tau F^-T [E].
 Matrix3d first_piola(const Motion& motion, const Point& X, double t) {
   Matrix3d F;
-  for (int k = 0; k < 3; ++k) F.col(k) = slope([&](double by) { return packed(motion.position(moved(X, k, by), t)); }, k_inner);
+  for (int k = 0; k < 3; ++k) F.col(k) = difference([&](double by) { return packed(motion.position(moved(X, k, by), t)); }, k_inner);
   const Eigen::SelfAdjointEigenSolver<Matrix3d> b(F * F.transpose());
   const Matrix3d strain = b.eigenvectors() * (0.5 * b.eigenvalues().array().log()).matrix().asDiagonal() * b.eigenvectors().transpose();
   const Matrix3d tau = elastic::lambda * strain.trace() * Matrix3d::Identity() + 2 * elastic::mu * strain;
@@ -49,14 +49,16 @@ Matrix3d first_piola(const Motion& motion, const Point& X, double t) {
 
 void expect_balance(const Motion& motion, const Point& X, double t) {
   const auto at = [&](double later) { return packed(motion.position(X, t + later)); };
-  const Eigen::Vector3d acceleration = slope([&](double a) { return slope([&](double b) { return at(a + b); }, k_time); }, k_time);
+  const Eigen::Vector3d acceleration =
+      difference([&](double a) { return difference([&](double b) { return at(a + b); }, k_time); }, k_time);
   Eigen::Vector3d div_P{0, 0, 0};
-  for (int k = 0; k < 3; ++k) div_P += slope([&](double by) { return first_piola(motion, moved(X, k, by), t).col(k).eval(); }, k_outer);
+  for (int k = 0; k < 3; ++k)
+    div_P += difference([&](double by) { return first_piola(motion, moved(X, k, by), t).col(k).eval(); }, k_outer);
   const Point x = motion.position(X, t);
   const Eigen::Vector3d force = acceleration - div_P;
   EXPECT_LT((packed(motion.body_force(x, t)) - force).norm(), 2e-5 * (1 + force.norm()))
       << "X " << packed(X).transpose() << " t " << t << ": " << packed(motion.body_force(x, t)).transpose() << " not " << force.transpose();
-  EXPECT_LT((packed(motion.velocity(x, t)) - slope(at, k_time)).norm(), 1e-8);
+  EXPECT_LT((packed(motion.velocity(x, t)) - difference(at, k_time)).norm(), 1e-8);
 }
 
 TEST(ManufacturedWaves, AreWhatTheirBodyForceMakesOfHenckysLaw) {

@@ -9,6 +9,7 @@
 
 #include "solver/scene/entry.h"
 #include "solver/scene/input_error.h"
+#include "solver/scene/scene.h"
 #include "studies/accuracy/expected.h"
 #include "studies/accuracy/knobs.h"
 #include "studies/accuracy/result.h"
