@@ -5,6 +5,7 @@
 #include <valgrind/callgrind.h>
 
 #include "solver/baker/simulation.h"
+#include "solver/scene/scene.h"
 #include "studies/machines/scenes.h"
 
 namespace bake::count {
