@@ -44,19 +44,4 @@ void add_threads_option(CLI::App& command, int& threads);
 /// Throws InputError unless the file's name ends in `ending`.
 void check_ending(const std::filesystem::path& file, const char* ending);
 
-/// Shows how far something has come on standard error: a line redrawn on a terminal, nothing in a log.
-class Meter {
- public:
-  explicit Meter(std::string what) : what_(std::move(what)) {}
-  ~Meter();
-  Meter(const Meter&) = delete;
-  Meter& operator=(const Meter&) = delete;
-  void operator()(double share);
-
- private:
-  std::string what_;
-  double start_s_ = -1;
-  double last_s_ = 0;
-};
-
 }  // namespace bake::render

@@ -7,6 +7,7 @@
 #include "analysis/cli/commands.h"
 #include "analysis/pictures/picture.h"
 #include "solver/io/child.h"
+#include "solver/io/progress.h"
 #include "solver/scene/entry.h"
 #include "solver/scene/input_error.h"
 

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <charconv>
-#include <cstdio>
 #include <thread>
 
 #include "analysis/cli/commands.h"
-#include "solver/io/progress.h"
 #include "solver/scene/entry.h"
 #include "solver/scene/input_error.h"
 
@@ -63,19 +60,6 @@ std::vector<std::filesystem::path> PictureOptions::results_of(std::size_t files)
   std::vector<std::filesystem::path> folders = results;
   folders.resize(files, results.empty() ? std::filesystem::path() : results.front());
   return folders;
-}
-
-Meter::~Meter() {
-  if (start_s_ >= 0 && isatty(STDERR_FILENO)) fmt::print(stderr, "\r\x1b[K");
-}
-
-void Meter::operator()(double share) {
-  const double now = steady_seconds();
-  if (start_s_ < 0) start_s_ = now;
-  if (!isatty(STDERR_FILENO) || now - last_s_ < 0.2) return;
-  last_s_ = now;
-  const double left_s = share > 0 ? (now - start_s_) * (1 / share - 1) : -1;
-  fmt::print(stderr, "\r{}  {:3.0f} %  left {}\x1b[K", what_, 100 * share, clock_text(left_s));
 }
 
 }  // namespace bake::render

@@ -8,6 +8,7 @@
 #include "analysis/pictures/picture.h"
 #include "analysis/slices/slice.h"
 #include "analysis/surface/splat.h"
+#include "solver/io/progress.h"
 #include "solver/scene/input_error.h"
 
 namespace bake::render {

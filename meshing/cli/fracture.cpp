@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "meshing/cli/commands.h"
+#include "solver/io/progress.h"
 
 namespace bake::cli {
 
@@ -38,7 +39,12 @@ void add_fracture_command(CLI::App& app, Action& action) {
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40));
   command.callback([options, &action] {
     action = [options] {
-      write_fracture(*options, [](const std::string& line) { fmt::print("{}\n", line); });
+      Meter meter("fracture");
+      const auto tell = [&](const std::string& line) {
+        meter.clear();
+        fmt::print("{}\n", line);
+      };
+      write_fracture(*options, tell, [&](double share) { meter(share); });
       return k_success;
     };
   });

@@ -137,7 +137,8 @@ std::string summary(const json& report) {
 
 }  // namespace
 
-void write_fracture(const FractureOptions& options, const std::function<void(const std::string&)>& tell) {
+void write_fracture(const FractureOptions& options, const std::function<void(const std::string&)>& tell,
+                    const std::function<void(double)>& progress) {
   const Topology topology = read_topology(options.mesh);
   RunFrames run(options.results, topology.mesh.points, options.first_particle);
   const std::vector<int> frames = wanted_frames(options, run);
@@ -157,6 +158,7 @@ void write_fracture(const FractureOptions& options, const std::function<void(con
               {"mesh_volume_m3", volume_of(topology.mesh)},
               {"frames", json::array()}};
   for (int frame = 0; frame <= frames.back(); ++frame) {
+    progress(frame / (frames.back() + 1.0));
     run.read(frame);
     breaking.advance(frame, run.positions());
     if (!std::binary_search(frames.begin(), frames.end(), frame)) continue;

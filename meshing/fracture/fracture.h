@@ -30,8 +30,10 @@ inline constexpr double k_smallest_gap = 1.5;
 
 /// Writes <out>/NNNN.hdf for each wanted frame, a surface with the run's fields, `piece`, `crack` and `depth`, and <out>/fracture.json.
 /// In there, volume_m3 is what all pieces enclose as they are in that frame, cut_volume_m3 what they enclose in the reference mesh.
-/// `tell` gets a line after each surface, and the number of frames read so far with that of all in between.
+/// `tell` gets a line after each surface, `progress` the share that is done before each frame that is read.
 /// Throws InputError (mesh, run, frames that do not exist) and OutputError.
-void write_fracture(const FractureOptions& options, const std::function<void(const std::string&)>& tell);
+void write_fracture(
+    const FractureOptions& options, const std::function<void(const std::string&)>& tell,
+    const std::function<void(double)>& progress = [](double) {});
 
 }  // namespace bake

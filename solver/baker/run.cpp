@@ -17,6 +17,7 @@
 #include "solver/io/ledger_file.h"
 #include "solver/io/progress.h"
 #include "solver/io/provenance.h"
+#include "solver/io/scratch_folder.h"
 #include "solver/scene/describe.h"
 #include "solver/scene/doubts.h"
 #include "solver/scene/resolved.h"
@@ -250,12 +251,34 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
   return {finish("done"), false};
 }
 
+namespace {
+
+/// Seconds of this machine for each particle.
+struct Costs {
+  double step = 0, frame = 0;
+};
+
+/// From 20 steps and a frame of a simulation at its start.
+Costs try_out(Simulation& simulation, double end) {
+  const double began = steady_seconds();
+  int steps = 20;
+  simulation.advance(end, end, [&] { return --steps > 0; });
+  const double stepped = steady_seconds();
+  const ScratchFolder scratch;
+  simulation.write_frame_file(scratch.path() / frame_name(0));
+  const double particles = std::max(static_cast<double>(simulation.particles()), 1.0);
+  return {(stepped - began) / std::max(static_cast<double>(simulation.counters().particle_steps), 1.0),
+          (steady_seconds() - stepped) / particles};
+}
+
+}  // namespace
+
 std::string describe_scene(const Scene& scene) {
   std::string effects;
   for (const std::string& e : scene.effects) effects += (effects.empty() ? "" : ", ") + e;
   std::string text = fmt::format("{}\n  effects      {}\n  precision    {}\n",
                                  scene.title.empty() ? scene.file.stem().string() : scene.title, effects, word_of(scene.run.precision));
-  double speed = 0;
+  Costs costs;
   for (const Quality quality : {Quality::draft, Quality::standard, Quality::paper}) {
     Scene at = scene;
     at.quality = quality;
@@ -263,19 +286,17 @@ std::string describe_scene(const Scene& scene) {
     const auto n = static_cast<double>(simulation->particles());
     if (quality == Quality::draft) {
       text += fmt::format("  memory       {}\n", simulation->memory_words());
-      const double began = steady_seconds();
-      int steps = 20;
-      simulation->advance(scene.run.end_s, scene.run.end_s, [&] { return --steps > 0; });
-      speed = static_cast<double>(simulation->counters().particle_steps) / std::max(steady_seconds() - began, 1e-6);
+      costs = try_out(*simulation, scene.run.end_s);
     }
     const double steps = simulation->dt() > 0 ? std::ceil(scene.run.end_s / simulation->dt()) : 0;
+    const double frames = scene.run.end_s * scene.run.frame_rate_per_s;
     text += fmt::format("  {:<12} dx {:.4g} m, {:.0f} particles, {:.0f} MB ({:.0f} bytes per particle), about {:.0f} steps, {}\n",
                         word_of(quality), at.dx(), n, static_cast<double>(simulation->bytes()) / 1e6,
                         n > 0 ? static_cast<double>(simulation->bytes()) / n : 0, steps,
-                        speed > 0 ? clock_text(n * steps / speed) : "no time at all");
+                        n > 0 ? clock_text(n * (steps * costs.step + frames * costs.frame)) : "no time at all");
   }
   for (const std::string& doubt : doubts_about(scene)) text += fmt::format("  warning      {}\n", doubt);
-  return text + "  (steps from the first step's length; time from a trial of 20 steps at draft on this machine)";
+  return text + "  (steps from the first step's length; time from a trial of 20 steps and a frame at draft on this machine)";
 }
 
 }  // namespace bake

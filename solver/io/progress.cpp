@@ -116,4 +116,17 @@ void Progress::print_line(const Standing& standing, double now) {
   shown_tenths_ = tenths;
 }
 
+void Meter::clear() const {
+  if (start_s_ >= 0 && isatty(STDERR_FILENO)) fmt::print(stderr, "\r\x1b[K");
+}
+
+void Meter::operator()(double share) {
+  const double now = steady_seconds();
+  if (start_s_ < 0) start_s_ = now;
+  if (!isatty(STDERR_FILENO) || now - last_s_ < 0.2) return;
+  last_s_ = now;
+  const double left_s = share > 0 ? (now - start_s_) * (1 / share - 1) : -1;
+  fmt::print(stderr, "\r{}  {:3.0f} %  left {}\x1b[K", what_, 100 * share, clock_text(left_s));
+}
+
 }  // namespace bake

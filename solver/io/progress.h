@@ -80,4 +80,20 @@ class Progress {
   double recent_particle_steps_ = 0;
 };
 
+/// How far something without frames has come, on standard error: a line redrawn on a terminal, nothing in a log.
+class Meter {
+ public:
+  explicit Meter(std::string what) : what_(std::move(what)) {}
+  ~Meter() { clear(); }
+  Meter(const Meter&) = delete;
+  Meter& operator=(const Meter&) = delete;
+  void operator()(double share);
+  void clear() const;  ///< before something else is printed
+
+ private:
+  std::string what_;
+  double start_s_ = -1;
+  double last_s_ = 0;
+};
+
 }  // namespace bake
