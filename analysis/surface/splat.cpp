@@ -24,11 +24,12 @@
 namespace bake {
 namespace {
 
-constexpr float k_reach = 1.8f;   ///< of a particle's weight, in spacings
-constexpr float k_far_reach = 4;  ///< where the nearest particle still counts, in spacings
-constexpr float k_cell = 0.5f;    ///< of the sampling grid, in spacings
-constexpr float k_radius = 0.5f;  ///< of a lone particle, in spacings
-constexpr int k_smoothing = 20;   ///< degree of the windowed sinc
+constexpr float k_reach = 1.8f;     ///< of a particle's weight, in spacings
+constexpr float k_far_reach = 4;    ///< where the nearest particle still counts, in spacings
+constexpr float k_farthest = 1e3f;  ///< times that, where a stray vertex looks at most
+constexpr float k_cell = 0.5f;      ///< of the sampling grid, in spacings
+constexpr float k_radius = 0.5f;    ///< of a lone particle, in spacings
+constexpr int k_smoothing = 20;     ///< degree of the windowed sinc
 constexpr double k_pass_band = 0.1;
 constexpr std::size_t k_slab = 8;  ///< layers of the grid that a thread takes at a time
 
@@ -165,7 +166,7 @@ std::vector<MeshField> fields_at(const std::vector<double>& points, const Partic
   std::vector<MeshField> result;
   for (const MeshField& field : fields)
     result.push_back({field.name, field.unit, field.components, std::vector<double>(count * field.components)});
-  std::atomic<bool> lost{false};
+  std::atomic<std::size_t> strays{0};
 #pragma omp parallel for schedule(static) num_threads(threads)
   for (std::size_t i = 0; i < count; ++i) {
     const Eigen::Vector3f place = Eigen::Map<const Eigen::Vector3d>(&points[3 * i]).cast<float>();
@@ -177,11 +178,10 @@ std::vector<MeshField> fields_at(const std::vector<double>& points, const Partic
       sum += w;
     });
     if (shares.empty()) {
-      const std::int64_t p = near.nearest(place, far);
-      if (p < 0) {
-        lost = true;
-        continue;
-      }
+      std::int64_t p = near.nearest(place, far);
+      if (p < 0 && 100 * ++strays > count) continue;
+      for (float further = 2 * far; p < 0 && further < k_farthest * far; further *= 2) p = near.nearest(place, further);
+      if (p < 0) continue;
       shares.emplace_back(static_cast<std::size_t>(p), 1.0);
       sum = 1;
     }
@@ -191,8 +191,9 @@ std::vector<MeshField> fields_at(const std::vector<double>& points, const Partic
         for (std::size_t c = 0; c < components; ++c) result[f].values[components * i + c] += w / sum * fields[f].values[components * p + c];
     }
   }
-  if (lost)
-    throw InputError(fmt::format("{}: found a vertex with no particle within {:.3g} m: it shows another run, or another time", what, far));
+  if (100 * strays > count)
+    throw InputError(fmt::format("{}: found {} of {} vertices with no particle within {:.3g} m: it shows another run, or another time",
+                                 what, strays.load(), count, far));
   return result;
 }
 

@@ -19,8 +19,9 @@ struct SplatSettings {
 /// may vanish. Throws InputError if nothing is left, or if the particles are strewn too far for the grid.
 Mesh splat_surface(const Particles& particles, const SplatSettings& settings = {});
 
-/// Fields of the particles at other places, as weighted means of the particles within 1.8 spacings (or the nearest one within 4).
-/// Throws InputError naming `what` if a place has none that near: it belongs to another run or time.
+/// Fields of the particles at other places, as weighted means of the particles within 1.8 spacings (or the nearest one).
+/// Throws InputError naming `what` if more than one place in a hundred has none within 4: they belong to another run or time. (Few may be
+/// so far away: where crumbs part, the surface between them is extrapolated.)
 std::vector<MeshField> fields_at(const std::vector<double>& points, const Particles& particles, const std::vector<MeshField>& fields,
                                  int threads, const std::string& what);
 

@@ -81,7 +81,16 @@ TEST(SplatSurface, OfStrewnParticlesIsRefused) {
 TEST(FieldsAt, PlacesFarFromAllParticlesIsRefused) {
   const Particles particles = particles_of(Ball(0.1f, 0.02f));
   const std::string message = message_of<InputError>([&] { fields_at({1, 0, 0}, particles, particles.fields, 1, "loaf.hdf"); });
-  EXPECT_TRUE(has(message, "loaf.hdf: found a vertex with no particle within")) << message;
+  EXPECT_TRUE(has(message, "loaf.hdf: found 1 of 1 vertices with no particle within")) << message;
+}
+
+TEST(FieldsAt, AStrayPlaceAreThoseOfTheNearestParticle) {
+  const Particles particles = particles_of(Ball(0.1f, 0.02f));
+  std::vector<double> places(3 * 100, 0.0);
+  places[2] = 3;  // far above
+  const auto fields = fields_at(places, particles, particles.fields, 1, "loaf.hdf");
+  EXPECT_NEAR(fields[0].values[0], 0.1, 0.02) << "the height of the topmost particle";
+  EXPECT_NEAR(fields[0].values[1], 0, 0.02);
 }
 
 /// A cube of 2 m of 5 tetrahedra.
