@@ -36,6 +36,7 @@ caption { text-align: left; padding-bottom: .35rem; }
 th, td { text-align: left; vertical-align: top; padding: .4rem .75rem .4rem 0; border-bottom: 1px solid var(--line); }
 td { min-width: 4.5rem; }
 td:first-child { min-width: 9rem; }
+td:first-child:has(> a) { min-width: 4.5rem; white-space: nowrap; }
 th { color: var(--soft); font-weight: 600; white-space: nowrap; }
 td ul { margin: 0; padding-left: 1.1rem; }
 code { font: .92em ui-monospace, "DejaVu Sans Mono", "Liberation Mono", monospace; overflow-wrap: anywhere; }
