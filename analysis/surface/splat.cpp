@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 #include "analysis/surface/point_grid.h"
 #include "solver/scene/input_error.h"
@@ -24,12 +25,11 @@
 namespace bake {
 namespace {
 
-constexpr float k_reach = 1.8f;     ///< of a particle's weight, in spacings
-constexpr float k_far_reach = 4;    ///< where the nearest particle still counts, in spacings
-constexpr float k_farthest = 1e3f;  ///< times that, where a stray vertex looks at most
-constexpr float k_cell = 0.5f;      ///< of the sampling grid, in spacings
-constexpr float k_radius = 0.5f;    ///< of a lone particle, in spacings
-constexpr int k_smoothing = 20;     ///< degree of the windowed sinc
+constexpr float k_reach = 1.8f;   ///< of a particle's weight, in spacings
+constexpr float k_far_reach = 4;  ///< where the nearest particle still counts, in spacings
+constexpr float k_cell = 0.5f;    ///< of the sampling grid, in spacings
+constexpr float k_radius = 0.5f;  ///< of a lone particle, in spacings
+constexpr int k_smoothing = 20;   ///< degree of the windowed sinc
 constexpr double k_pass_band = 0.1;
 constexpr std::size_t k_slab = 8;  ///< layers of the grid that a thread takes at a time
 
@@ -179,8 +179,7 @@ std::vector<MeshField> fields_at(const std::vector<double>& points, const Partic
     });
     if (shares.empty()) {
       std::int64_t p = near.nearest(place, far);
-      if (p < 0 && 100 * ++strays > count) continue;
-      for (float further = 2 * far; p < 0 && further < k_farthest * far; further *= 2) p = near.nearest(place, further);
+      if (p < 0 && 100 * ++strays <= count) p = near.nearest(place, std::numeric_limits<float>::infinity());
       if (p < 0) continue;
       shares.emplace_back(static_cast<std::size_t>(p), 1.0);
       sum = 1;
