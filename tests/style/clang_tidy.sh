@@ -7,10 +7,11 @@ set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
 cd "$root"
 commands=build/tidy
+mkdir -p build
 cmake -S . -B "$commands" -G Ninja -DBAKE_UNITY=OFF -DBAKE_BENCHMARKS=ON >"$commands.log" || { cat "$commands.log" >&2; exit 2; }
 ninja -C "$commands" bake_commit >>"$commands.log"  # makes a header
-# clang reads no precompiled headers of gcc, and knows not all of its warnings
-sed -i -E 's/-Winvalid-pch -include [^ ]+//; s/-Wno-maybe-uninitialized//' "$commands/compile_commands.json"
+# clang knows not all of gcc's warnings
+sed -i 's/-Wno-maybe-uninitialized//' "$commands/compile_commands.json"
 
 files=("$@")
 if ((${#files[@]} == 0)); then mapfile -t files < <(git ls-files -- 'solver/*.cpp' 'claims/*.cpp' 'studies/*.cpp' 'reference/*.cpp'); fi

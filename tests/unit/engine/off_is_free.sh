@@ -34,10 +34,10 @@ sources_without() { # <effect>...
   done
 }
 
-# Compiles a composition from the sources of a folder, without the precompiled header, which is made of the true ones.
+# Compiles a composition from the sources of a folder.
 compile() { # <composition> <source folder> <object>
   local command
-  command=$(command_of "model_$1_float.cpp" | sed -E "s| -Winvalid-pch -include [^ ]+||; s| -o [^ ]+ | -o $3 |; s|-I$root |-I$2 |")
+  command=$(command_of "model_$1_float.cpp" | sed -E "s| -o [^ ]+ | -o $3 |; s|-I$root |-I$2 |")
   [[ -n $command ]] || { echo "no command for composition $1" >&2; exit 2; }
   (cd "$build" && eval "$command")
 }
