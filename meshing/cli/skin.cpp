@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "meshing/cli/source.h"
+#include "solver/io/progress.h"
 
 namespace bake::cli {
 namespace {
@@ -21,7 +22,10 @@ int skin(const SkinArguments& arguments) {
   const Source source = find_source(arguments.source);
   const double edge = arguments.edge_length_m > 0 ? arguments.edge_length_m : source.particle_spacing_m;
   if (!(edge > 0)) throw InputError("--edge-length is required with a surface: it has no particles");
-  const TriangleMesh skin = make_skin(*source.solid, source.surface ? &*source.surface : nullptr, edge);
+  Meter meter("skin");
+  const TriangleMesh skin =
+      make_skin(*source.solid, source.surface ? &*source.surface : nullptr, edge, [&](const std::string& doing) { meter.phase(doing); });
+  meter.clear();
   Mesh mesh;
   for (const Point& x : skin.points) mesh.points.insert(mesh.points.end(), x.begin(), x.end());
   for (const Triangle& t : skin.triangles) mesh.cells.insert(mesh.cells.end(), t.begin(), t.end());

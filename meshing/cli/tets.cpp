@@ -9,6 +9,7 @@
 #include "meshing/tets/feature_mesher.h"
 #include "meshing/tets/lattice_mesher.h"
 #include "meshing/tets/manifold.h"
+#include "solver/io/progress.h"
 
 namespace bake::cli {
 namespace {
@@ -26,22 +27,25 @@ std::size_t vertices_of(const Source& source, const TetsArguments& arguments) {
   return static_cast<std::size_t>(std::llround(solid_volume(*source.solid) / std::pow(source.particle_spacing_m, 3)));
 }
 
-TetMesh make_tets(const Source& source, const TetsArguments& arguments) {
+TetMesh make_tets(const Source& source, const TetsArguments& arguments, const Tell& tell) {
   const std::size_t vertices = vertices_of(source, arguments);
   if (arguments.method == "mesh3" && !source.surface)
     throw InputError("--method: found mesh3 with a scene, allowed: lattice (mesh3 needs a surface of triangles)");
   const bool keep_edges =
       source.surface && (arguments.method == "mesh3" || (arguments.method == "auto" && has_sharp_edges(*source.surface)));
-  if (!keep_edges) return lattice_tets(*source.solid, vertices);
-  const TetMesh mesh = feature_tets(*source.surface, vertices);
+  if (!keep_edges) return lattice_tets(*source.solid, vertices, tell);
+  const TetMesh mesh = feature_tets(*source.surface, vertices, tell);
   return manifold_part(mesh.points, mesh.tets, std::vector<char>(mesh.tets.size(), 1));
 }
 
 int tets(const TetsArguments& arguments) {
-  const TetMesh mesh = make_tets(find_source(arguments.source), arguments);
+  Meter meter("tets");
+  const TetMesh mesh = make_tets(find_source(arguments.source), arguments, [&](const std::string& doing) { meter.phase(doing); });
+  meter.phase(fmt::format("looking at {} tetrahedra", mesh.tets.size()));
   const TetQuality quality = tet_quality(mesh);
   if (quality.odd_edges > 0)
     throw std::runtime_error(fmt::format("the mesh has {} edges where its surface is not closed: nothing is written", quality.odd_edges));
+  meter.clear();
   write_mesh(arguments.out, to_particles_mesh(mesh));
   fmt::print("{}: {} vertices ({} of them on the surface), {} tetrahedra, {:.6g} m^3, volumes of inner vertices spread by {:.1f} %\n",
              arguments.out.string(), mesh.points.size(), quality.boundary, mesh.tets.size(), quality.volume, 100 * quality.inner_spread);

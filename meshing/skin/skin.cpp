@@ -22,7 +22,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 
 /// The boundary of lattice tetrahedra whose nearest neighbours are one edge length apart.
-TriangleMesh first_guess(const Shape& solid, double edge_length_m) {
+TriangleMesh first_guess(const Shape& solid, double edge_length_m, const Tell& tell) {
   constexpr double k_most = 2e7;
   const double a = edge_length_m * 2 / std::sqrt(3.0), vertices = 2 * solid_volume(solid) / (a * a * a);
   if (vertices < 10) throw InputError(fmt::format("edges of {:.4g} m are too long for this body", edge_length_m));
@@ -30,7 +30,7 @@ TriangleMesh first_guess(const Shape& solid, double edge_length_m) {
     throw InputError(
         fmt::format("edges of {:.4g} m are too short for this body: it would be filled with {:.3g} vertices on the way, allowed: {:.3g}",
                     edge_length_m, vertices, k_most));
-  const TetMesh tets = lattice_tets(solid, static_cast<std::size_t>(vertices));
+  const TetMesh tets = lattice_tets(solid, static_cast<std::size_t>(vertices), tell);
   return {tets.points, boundary_triangles(tets.tets, tet_neighbours(tets.tets, tets.points.size()))};
 }
 
@@ -58,10 +58,12 @@ void make_even(Surface& surface, double edge_length_m) {
 
 }  // namespace
 
-TriangleMesh make_skin(const Shape& solid, const TriangleMesh* surface, double edge_length_m) {
-  Surface even = surface_of(surface != nullptr ? *surface : first_guess(solid, edge_length_m));
+TriangleMesh make_skin(const Shape& solid, const TriangleMesh* surface, double edge_length_m, const Tell& tell) {
+  Surface even = surface_of(surface != nullptr ? *surface : first_guess(solid, edge_length_m, tell));
+  tell(fmt::format("making {} triangles even", even.number_of_faces()));
   make_even(even, edge_length_m);
   even.collect_garbage();
+  tell(fmt::format("moving {} vertices onto the surface", even.number_of_vertices()));
   TriangleMesh skin;
   for (const auto v : even.vertices()) {
     const Point x{even.point(v).x(), even.point(v).y(), even.point(v).z()};

@@ -96,7 +96,7 @@ double size_for(double vertices, double volume, double area) {
 
 }  // namespace
 
-TetMesh feature_tets(const TriangleMesh& surface, std::size_t target) {
+TetMesh feature_tets(const TriangleMesh& surface, std::size_t target, const Tell& tell) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
   const Polyhedron closed = polyhedron(surface);
   const double volume = enclosed_volume(surface), whole_area = area(surface);
@@ -106,6 +106,7 @@ TetMesh feature_tets(const TriangleMesh& surface, std::size_t target) {
   auto wanted = static_cast<double>(target);
   TetMesh best;
   for (int round = 0; round < 6 && (round == 0 || miss(best) > 0.015); ++round) {
+    tell(fmt::format("refining to about {:.0f} vertices", wanted));
     TetMesh mesh = to_tet_mesh(refine(closed, size_for(wanted, volume, whole_area)));
     if (mesh.points.empty()) break;
     wanted *= static_cast<double>(target) / static_cast<double>(mesh.points.size());

@@ -159,14 +159,17 @@ double solid_volume(const Shape& solid) {
   return volume;
 }
 
-TetMesh lattice_tets(const Shape& solid, std::size_t target) {
+TetMesh lattice_tets(const Shape& solid, std::size_t target, const Tell& tell) {
   const Box3 box = finite_bounds(solid);
+  tell("measuring the volume");
   const double vertex_volume = solid_volume(solid) / static_cast<double>(target);
   double a = std::cbrt(2 * vertex_volume);  // a lattice of constant a has two points per a^3
   auto wanted = static_cast<double>(target);
   TetMesh best;
   for (int round = 0; round < 4; ++round) {
+    tell(fmt::format("placing about {:.0f} vertices", wanted));
     const Sites lattice = sites_of_count(solid, box, wanted, a);
+    tell(fmt::format("connecting {} vertices", lattice.points.size()));
     TetMesh mesh = connect(solid, lattice, vertex_volume);
     if (mesh.points.empty()) break;
     wanted *= static_cast<double>(target) / static_cast<double>(mesh.points.size());

@@ -17,6 +17,6 @@ double solid_volume(const Shape& solid);
 
 /// Fills the solid with `target` vertices, to 1 % or as near as its shape lets come. Throws InputError if that is too few to make
 /// a mesh of, or if the solid has no finite bounds or no inside.
-TetMesh lattice_tets(const Shape& solid, std::size_t target);
+TetMesh lattice_tets(const Shape& solid, std::size_t target, const Tell& tell = tell_nobody);
 
 }  // namespace bake

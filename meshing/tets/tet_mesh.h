@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "solver/boundary/shape.h"
@@ -13,6 +15,10 @@ namespace bake {
 
 using Tet = std::array<std::int32_t, 4>;       ///< four vertices of positive volume (see `tet_volume`)
 using Triangle = std::array<std::int32_t, 3>;  ///< three vertices, counter-clockwise from outside
+
+/// Is told what is being done, at the begin of each phase of long work.
+using Tell = std::function<void(const std::string&)>;
+inline void tell_nobody(const std::string&) {}
 
 struct TetMesh {
   std::vector<Point> points;  ///< [m]

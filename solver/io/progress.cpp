@@ -116,17 +116,32 @@ void Progress::print_line(const Standing& standing, double now) {
   shown_tenths_ = tenths;
 }
 
-void Meter::clear() const {
-  if (start_s_ >= 0 && isatty(STDERR_FILENO)) fmt::print(stderr, "\r\x1b[K");
+Meter::Meter(std::string what, ProgressOutput output) : what_(std::move(what)), output_(std::move(output)), start_s_(output_.seconds()) {}
+
+void Meter::clear() {
+  if (line_open_) output_.to << "\r\x1b[K" << std::flush;
+  line_open_ = false;
+}
+
+void Meter::draw(const std::string& line) {
+  output_.to << '\r' << line << "\x1b[K" << std::flush;
+  line_open_ = true;
+}
+
+void Meter::phase(const std::string& doing) {
+  constexpr double k_brief_s = 2;
+  if (output_.style == ProgressStyle::bar) draw(fmt::format("{}  {}", what_, doing));
+  if (output_.style == ProgressStyle::lines && output_.seconds() - start_s_ >= k_brief_s)
+    output_.to << fmt::format("{}: {}", what_, doing) << std::endl;
 }
 
 void Meter::operator()(double share) {
-  const double now = steady_seconds();
-  if (start_s_ < 0) start_s_ = now;
-  if (!isatty(STDERR_FILENO) || now - last_s_ < 0.2) return;
+  constexpr double k_between_s = 0.2;
+  const double now = output_.seconds();
+  if (output_.style != ProgressStyle::bar || now - last_s_ < k_between_s) return;
   last_s_ = now;
   const double left_s = share > 0 ? (now - start_s_) * (1 / share - 1) : -1;
-  fmt::print(stderr, "\r{}  {:3.0f} %  left {}\x1b[K", what_, 100 * share, clock_text(left_s));
+  draw(fmt::format("{}  {:3.0f} %  left {}", what_, 100 * share, clock_text(left_s)));
 }
 
 }  // namespace bake

@@ -80,20 +80,25 @@ class Progress {
   double recent_particle_steps_ = 0;
 };
 
-/// How far something without frames has come, on standard error: a line redrawn on a terminal, nothing in a log.
+/// How far something without frames has come: a line redrawn on a terminal; in a log a line for each phase that begins after two seconds.
 class Meter {
  public:
-  explicit Meter(std::string what) : what_(std::move(what)) {}
+  explicit Meter(std::string what, ProgressOutput output = progress_on_stderr(false));
   ~Meter() { clear(); }
   Meter(const Meter&) = delete;
   Meter& operator=(const Meter&) = delete;
   void operator()(double share);
-  void clear() const;  ///< before something else is printed
+  void phase(const std::string& doing);  ///< of what cannot say its share; `doing` begins now
+  void clear();                          ///< before something else is printed
 
  private:
+  void draw(const std::string& line);
+
   std::string what_;
-  double start_s_ = -1;
-  double last_s_ = 0;
+  ProgressOutput output_;
+  double start_s_;
+  double last_s_ = -1e9;    ///< when a share was shown
+  bool line_open_ = false;  ///< on the terminal
 };
 
 }  // namespace bake

@@ -115,6 +115,39 @@ TEST(Progress, LeavesNoTimeAtTheEnd) {
   EXPECT_NE(run.text().find("left 0:00"), std::string::npos) << run.text();
 }
 
+/// A meter of a mesh in two phases, three seconds apart.
+std::string two_phases(ProgressStyle style) {
+  std::ostringstream out;
+  double now = 0;
+  {
+    Meter meter("tets", {out, style, [&] { return now; }, [] { return 80; }});
+    meter.phase("placing vertices");
+    now = 3;
+    meter.phase("connecting vertices");
+  }
+  return out.str();
+}
+
+TEST(Meter, RedrawsPhasesOnATerminalAndTellsALogOfThoseThatBeginLate) {
+  EXPECT_EQ(two_phases(ProgressStyle::bar), "\rtets  placing vertices\x1b[K\rtets  connecting vertices\x1b[K\r\x1b[K");
+  EXPECT_EQ(two_phases(ProgressStyle::lines), "tets: connecting vertices\n");
+  EXPECT_EQ(two_phases(ProgressStyle::quiet), "");
+}
+
+TEST(Meter, ShowsItsShareFiveTimesASecondOnATerminalOnly) {
+  for (const auto style : {ProgressStyle::bar, ProgressStyle::lines}) {
+    std::ostringstream out;
+    double now = 100;
+    Meter meter("loaf.png", {out, style, [&] { return now; }, [] { return 80; }});
+    for (int i = 1; i <= 50; ++i) now += 0.125, meter(i / 100.0);
+    const std::string text = out.str();
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\r'), style == ProgressStyle::bar ? 25 : 0);
+    if (style == ProgressStyle::bar) {
+      EXPECT_EQ(text.substr(text.rfind('\r')), "\rloaf.png   49 %  left 0:06\x1b[K");
+    }
+  }
+}
+
 TEST(BarLine, NeverGrowsBeyondItsWidth) {
   const Standing standing{12, 48, 0.5, 2, 1.25e-4, 1};
   for (int width = 0; width < 200; ++width) EXPECT_LE(bar_line(standing, {35.1e6, 192}, width).size(), std::size_t(width));

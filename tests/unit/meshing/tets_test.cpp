@@ -64,6 +64,14 @@ TEST(Tets, AreTheSameEveryTime) {
   EXPECT_EQ(a.tets, b.tets);
 }
 
+TEST(Tets, TellTheirPhases) {
+  std::vector<std::string> phases;
+  lattice_tets(*ball(), 1000, [&](const std::string& doing) { phases.push_back(doing.substr(0, doing.find(' '))); });
+  ASSERT_GE(phases.size(), 3u);
+  phases.resize(3);
+  EXPECT_EQ(phases, (std::vector<std::string>{"measuring", "placing", "connecting"}));
+}
+
 TEST(Tets, OfABoxReachItsEdgesAndCorners) {
   const TetMesh mesh = lattice_tets(*brick(), 5000);
   int corners = 0, edges = 0;

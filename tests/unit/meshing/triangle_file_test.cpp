@@ -192,6 +192,12 @@ TEST(Skin, IsEvenClosedAndLooksOutwards) {
   EXPECT_NEAR(area(round), 4 * M_PI * 0.01, 0.01 * 4 * M_PI * 0.01);
 }
 
+TEST(Skin, TellsItsPhases) {
+  std::string last;
+  make_skin(*ball(), nullptr, 0.03, [&](const std::string& doing) { last = doing; });
+  EXPECT_EQ(last.substr(0, 7), "moving ") << last;
+}
+
 TEST(Skin, OfASurfaceKeepsItsEdges) {
   const TriangleMesh surface = cube(), skin = make_skin(*make_triangle_solid(surface), &surface, 0.01);
   expect_even(*make_triangle_solid(surface), skin, 0.01);
