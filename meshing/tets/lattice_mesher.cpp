@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "meshing/tets/delaunay.h"
+#include "meshing/tets/even_volumes.h"
 #include "meshing/tets/manifold.h"
 #include "meshing/tets/surface_foot.h"
 #include "solver/boundary/vector3.h"
@@ -166,6 +167,7 @@ TetMesh lattice_tets(const Shape& solid, std::size_t target, const Tell& tell) {
   double a = std::cbrt(2 * vertex_volume);  // a lattice of constant a has two points per a^3
   auto wanted = static_cast<double>(target);
   TetMesh best;
+  double best_a = a;
   for (int round = 0; round < 4; ++round) {
     tell(fmt::format("placing about {:.0f} vertices", wanted));
     const Sites lattice = sites_of_count(solid, box, wanted, a);
@@ -174,10 +176,12 @@ TetMesh lattice_tets(const Shape& solid, std::size_t target, const Tell& tell) {
     if (mesh.points.empty()) break;
     wanted *= static_cast<double>(target) / static_cast<double>(mesh.points.size());
     if (round == 0 || miss(mesh.points.size(), static_cast<double>(target)) < miss(best.points.size(), static_cast<double>(target)))
-      best = std::move(mesh);
+      best = std::move(mesh), best_a = a;
     if (miss(best.points.size(), static_cast<double>(target)) < 0.01) break;
   }
   if (best.tets.empty()) throw InputError(fmt::format("{} vertices are too few to fill the shape with tetrahedra", target));
+  tell("making the volumes inside even");
+  even_volumes(best, 0.5 * best_a * best_a * best_a);
   return best;
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tetrahedra between the points of a body-centred cubic lattice whose outermost points are moved onto the surface.
 //
-// The lattice is turned so that it is aligned with no grid of the simulation; it has no cospherical ties, and the volumes of inner
-// vertices are even (standard deviation 3 to 4 % of the mean). Points within half a neighbour distance of the surface go to their foot
-// on it, or to a crease or corner if one is near [cf. Labelle, Shewchuk 2007, "Isosurface stuffing"]. Of the Delaunay tetrahedra those
-// inside are kept.
+// The lattice is turned so that it is aligned with no grid of the simulation, it has no cospherical ties, and its vertices have one
+// volume. Points within half a neighbour distance of the surface go to their foot on it, or to a crease or corner if one is near
+// [cf. Labelle, Shewchuk 2007, "Isosurface stuffing"]; of the Delaunay tetrahedra those inside are kept. That leaves the vertices of the
+// next layer with volumes that differ by a tenth; at last they are made even, by small moves.
 #pragma once
 
 #include "meshing/tets/tet_mesh.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "meshing/tets/even_volumes.h"
 #include "meshing/tets/lattice_mesher.h"
 #include "meshing/tets/surface_foot.h"
 #include "solver/boundary/vector3.h"
@@ -52,10 +53,39 @@ INSTANTIATE_TEST_SUITE_P(Tets, ASolid,
                                                     4.0 / 3 * M_PI * 1e-3 * 1.343, 4000}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-TEST(Tets, OfABallHaveVerticesOfEvenVolume) {
-  const TetQuality quality = tet_quality(lattice_tets(*ball(), 20000));
-  EXPECT_LT(quality.inner_spread, 0.06);
-  EXPECT_GT(quality.inner_spread, 0.001);
+TEST(Tets, HaveInnerVerticesOfEvenVolume) {
+  for (const auto& [solid, target] : {std::pair{ball(), 20000}, {slit_loaf(), 9000}, {brick(), 2000}}) {
+    const TetQuality quality = tet_quality(lattice_tets(*solid, target));
+    EXPECT_LT(quality.inner_spread, 0.04);
+    EXPECT_GT(quality.inner_spread, 0.001);
+  }
+}
+
+TEST(EvenVolumes, LeaveTheSurfaceAndTheVolumeAndFlattenNothing) {
+  TetMesh mesh = lattice_tets(*ball(), 3000);
+  std::vector<char> outer(mesh.points.size(), 0);
+  for (const Triangle& t : boundary_triangles(mesh.tets, tet_neighbours(mesh.tets, mesh.points.size())))
+    for (const std::int32_t v : t) outer[v] = 1;
+  std::vector<char> near = outer;
+  for (const Tet& tet : mesh.tets)
+    for (const std::int32_t v : tet)
+      if (std::any_of(tet.begin(), tet.end(), [&](std::int32_t other) { return outer[other]; })) near[v] = 1;
+  const std::size_t middle = std::find(near.begin(), near.end(), 0) - near.begin();
+  ASSERT_LT(middle, near.size());
+  const double wanted = vertex_volumes(mesh)[middle];
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    for (int i = 0; i < 3 && !near[v]; ++i) mesh.points[v][i] += 0.1 * std::cbrt(wanted) * std::sin(static_cast<double>(7 * v + 3 * i));
+  const TetMesh shaken = mesh;
+  const TetQuality before = tet_quality(shaken);
+  for (const Tet& tet : shaken.tets) ASSERT_GT(tet_volume(shaken.points, tet), 0);
+
+  even_volumes(mesh, wanted);
+  const TetQuality after = tet_quality(mesh);
+  EXPECT_LT(after.inner_spread, 0.5 * before.inner_spread);
+  EXPECT_NEAR(after.volume, before.volume, 1e-12 * before.volume);
+  EXPECT_EQ(mesh.tets, shaken.tets);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) ASSERT_TRUE(!outer[v] || mesh.points[v] == shaken.points[v]);
+  for (const Tet& tet : mesh.tets) ASSERT_GE(tet_volume(mesh.points, tet), (0.5 - 1e-9) * tet_volume(shaken.points, tet));
 }
 
 TEST(Tets, AreTheSameEveryTime) {

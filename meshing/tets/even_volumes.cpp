@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "meshing/tets/even_volumes.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "meshing/tets/stars.h"
+#include "solver/boundary/vector3.h"
+
+namespace bake {
+namespace {
+
+constexpr double k_pull = 0.1;         ///< to the first place, against the wish for even volumes
+constexpr double k_least_share = 0.5;  ///< of a tetrahedron's first volume
+constexpr int k_halvings = 4;          ///< of a step, before it is given up
+
+class Evening {
+ public:
+  Evening(TetMesh& mesh, double wanted_m3)
+      : mesh_(mesh), first_(mesh.points), wanted_(wanted_m3), volumes_(vertex_volumes(mesh)), stars_(mesh.tets, mesh.points.size()) {
+    outer_.assign(mesh.points.size(), 0);
+    for (const Triangle& t : boundary_triangles(mesh.tets, tet_neighbours(mesh.tets, mesh.points.size())))
+      for (const std::int32_t v : t) outer_[v] = 1;
+  }
+
+  void sweep() {
+    for (std::size_t v = 0; v < mesh_.points.size(); ++v)
+      if (!outer_[v]) move(static_cast<std::int32_t>(v));
+  }
+
+ private:
+  /// dV_v / dx of an inner vertex v when another one moves.
+  struct Slope {
+    std::int32_t vertex;
+    Eigen::Vector3d gradient;
+  };
+
+  void find_slopes(std::int32_t moving) {
+    slopes_.clear();
+    for (const std::int32_t t : stars_.at(moving)) {
+      const Tet& tet = mesh_.tets[t];
+      const auto& face = k_faces[std::find(tet.begin(), tet.end(), moving) - tet.begin()];
+      const Point &a = mesh_.points[tet[face[0]]], &b = mesh_.points[tet[face[1]]], &c = mesh_.points[tet[face[2]]];
+      const Vector3 n = cross(b - a, c - a);
+      for (const int k : face) {
+        if (outer_[tet[k]]) continue;
+        auto slope = std::find_if(slopes_.begin(), slopes_.end(), [&](const Slope& s) { return s.vertex == tet[k]; });
+        if (slope == slopes_.end()) slope = slopes_.insert(slope, {tet[k], Eigen::Vector3d::Zero()});
+        slope->gradient -= Eigen::Vector3d(n[0], n[1], n[2]) / 24;
+      }
+    }
+  }
+
+  bool keeps_shapes(std::int32_t v) const {
+    const auto star = stars_.at(v);
+    return std::all_of(star.begin(), star.end(), [&](std::int32_t t) {
+      return tet_volume(mesh_.points, mesh_.tets[t]) >= k_least_share * tet_volume(first_, mesh_.tets[t]);
+    });
+  }
+
+  void move(std::int32_t v) {
+    find_slopes(v);
+    const Eigen::Map<const Eigen::Vector3d> first(first_[v].data());
+    Eigen::Map<Eigen::Vector3d> x(mesh_.points[v].data());
+    const double pull = k_pull * std::pow(wanted_, 4.0 / 3);
+    Eigen::Matrix3d a = pull * Eigen::Matrix3d::Identity();
+    Eigen::Vector3d b = pull * (first - x);
+    for (const Slope& s : slopes_) {
+      a += s.gradient * s.gradient.transpose();
+      b += s.gradient * (wanted_ - volumes_[s.vertex]);
+    }
+    Eigen::Vector3d step = a.ldlt().solve(b);
+    const Eigen::Vector3d old = x;
+    x = old + step;
+    for (int i = 0; i < k_halvings && !keeps_shapes(v); ++i) x = old + (step *= 0.5);
+    if (!keeps_shapes(v)) x = old, step.setZero();
+    for (const Slope& s : slopes_) volumes_[s.vertex] += s.gradient.dot(step);
+  }
+
+  TetMesh& mesh_;
+  std::vector<Point> first_;
+  double wanted_;
+  std::vector<double> volumes_;
+  Stars stars_;
+  std::vector<char> outer_;
+  std::vector<Slope> slopes_;
+};
+
+}  // namespace
+
+void even_volumes(TetMesh& mesh, double wanted_m3) {
+  Evening evening(mesh, wanted_m3);
+  for (int i = 0; i < 2; ++i) evening.sweep();
+}
+
+}  // namespace bake
