@@ -53,8 +53,8 @@ struct HeatMap {
   Axis colour = {};  ///< of the colour bar
 };
 
-/// Which side of its place a text stands on.
-enum class Side { right, left, above, below, centre };
+/// Which side of its place a text stands on; free: wherever it is read best beside what else is drawn.
+enum class Side { right, left, above, below, centre, free };
 
 /// A text at a place of the panel, with or without a point there.
 struct Mark {

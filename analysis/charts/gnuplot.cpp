@@ -8,8 +8,8 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
+#include "analysis/charts/labels.h"
 #include "analysis/charts/text.h"
 
 namespace bake::charts {
@@ -57,7 +57,7 @@ constexpr const char* key_place(Legend legend) {
     case Legend::right:
       return "outside right top Left reverse";
     case Legend::below:
-      return "outside bottom center horizontal Left reverse";
+      return "outside bottom center horizontal Left reverse height 1";  // else it touches the axis' label
   }
   return "";
 }
@@ -73,6 +73,7 @@ constexpr const char* label_place(Side side) {
     case Side::below:
       return "center offset character 0,-0.8";
     case Side::centre:
+    case Side::free:  // has become one of the others
       return "center";
   }
   return "";
@@ -80,14 +81,7 @@ constexpr const char* label_place(Side side) {
 
 std::string colour_words(const std::string& colour) { return colour.empty() ? "black" : fmt::format("rgb '{}'", colour); }
 
-/// Least and largest number on an axis.
-struct Extent {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  void include(const std::vector<double>& column) {
-    for (const double value : column)
-      if (!std::isnan(value)) low = std::min(low, value), high = std::max(high, value);
-  }
-};
+Extent shown(const Axis& axis, const Extent& data) { return axis.range ? Extent{axis.range->first, axis.range->second} : data; }
 
 /// A round step that divides the axis into four to eight: gnuplot's own is finer than labels have room for.
 double step_of(const Extent& extent) {
@@ -95,6 +89,15 @@ double step_of(const Extent& extent) {
   const double ten = std::pow(10, std::floor(std::log10(length / 4)));
   const double steps = length / 4 / ten;  // from 1 to 10
   return steps < 2 ? ten : steps < 5 ? 2 * ten : 5 * ten;
+}
+
+/// An axis without a range of its own ends at its next tics.
+Extent to_tics(const Axis& axis, const Extent& extent) {
+  if (axis.range) return extent;
+  if (axis.scale == Scale::logarithmic)
+    return {std::pow(10, std::floor(std::log10(extent.low))), std::pow(10, std::ceil(std::log10(extent.high)))};
+  const double step = step_of(extent);
+  return {step * std::floor(extent.low / step), step * std::ceil(extent.high / step)};
 }
 
 std::pair<Extent, Extent> extents(const Panel& panel) {
@@ -171,10 +174,9 @@ class Script {
     add("unset output\n");
   }
 
-  void add_axis(const char* name, const Axis& axis, Extent extent) {
+  void add_axis(const char* name, const Axis& axis, const Extent& extent) {
     const std::string unit = axis.unit.empty() ? "" : " [" + axis.unit + "]";
     add("set {}label {} offset {}\n", name, gnuplot_text(axis.label + unit), name[0] == 'x' ? "0,0.5" : name[0] == 'c' ? "0.8,0" : "0,0");
-    if (axis.range) extent = {axis.range->first, axis.range->second};
     if (axis.scale == Scale::logarithmic)
       add("set logscale {0}\nset format {0} '10^{{%L}}'\n", name);
     else
@@ -187,7 +189,21 @@ class Script {
     if (axis.range) add("set {}range [{}:{}]\n", name, axis.range->first, axis.range->second);
   }
 
-  void add_marks(const Panel& panel) {
+  /// With sizes, in points, that are about right: gnuplot alone knows what its axes, tics and legend take.
+  std::vector<Side> sides_of(const Panel& panel, const Extent& across, const Extent& up) const {
+    constexpr double k_pt_per_in = 72, k_axis = 45, k_legend_below = 25, k_title = 20, k_sample = 35, k_letter = 0.5 * k_font_pt;
+    double width = k_pt_per_in * chart_.panel_width_in - k_axis, height = k_pt_per_in * chart_.panel_height_in - k_axis;
+    if (!panel.title.empty()) height -= k_title;
+    if (panel.legend == Legend::below) height -= k_legend_below;
+    if (panel.legend == Legend::right) {
+      std::size_t longest = 0;
+      for (const Series& series : panel.series) longest = std::max(longest, series.name.size());
+      width -= k_sample + k_letter * static_cast<double>(longest);
+    }
+    return label_sides(panel, to_tics(panel.x, across), to_tics(panel.y, up), width, height, k_font_pt);
+  }
+
+  void add_marks(const Panel& panel, const Extent& across, const Extent& up) {
     for (const Rule& rule : panel.rules) {
       if (rule.upright)
         add("set arrow from first {0},graph 0 to first {0},graph 1 nohead back lc rgb '#808080' lw 0.75 dt (4,4)\n"
@@ -198,9 +214,11 @@ class Script {
             "set label {1} at graph 1,first {0} left offset character 0.5,0\n",
             rule.at, gnuplot_text(rule.text));
     }
-    for (const Mark& mark : panel.marks) {
+    const std::vector<Side> sides = sides_of(panel, across, up);
+    for (std::size_t i = 0; i < panel.marks.size(); ++i) {
+      const Mark& mark = panel.marks[i];
       const std::string colour = colour_words(mark.colour);
-      add("set label {} at {},{} {} front tc {}", gnuplot_text(mark.text), mark.x, mark.y, label_place(mark.side), colour);
+      add("set label {} at {},{} {} front tc {}", gnuplot_text(mark.text), mark.x, mark.y, label_place(sides[i]), colour);
       if (mark.point) add(" point pt 7 ps 0.6 lc {}", colour);
       add("\n");
     }
@@ -211,7 +229,8 @@ class Script {
         "mxtics default\n");
     add("set style fill noborder\n");
     if (!panel.title.empty()) add("set title {} offset 0,{}\n", gnuplot_text(panel.title), panel.rules.empty() ? -0.4 : 0.6);
-    const auto [across, up] = extents(panel);
+    const auto [data_across, data_up] = extents(panel);
+    const Extent across = shown(panel.x, data_across), up = shown(panel.y, data_up);
     add_axis("x", panel.x, across);
     add_axis("y", panel.y, up);
     if (panel.equal_aspect) add("set size ratio -1\n");
@@ -219,7 +238,7 @@ class Script {
       add("unset key\n");
     else
       add("set key {} samplen 2 spacing {} noautotitle\n", key_place(panel.legend), key_spacing_);
-    add_marks(panel);
+    add_marks(panel, across, up);
     std::vector<std::string> curves;
     if (panel.heat_map) curves.push_back(heat_map(*panel.heat_map, p));
     std::size_t next_colour = 0;
@@ -238,7 +257,7 @@ class Script {
     add("set colorbox vertical noborder\nset cbtics scale 0.6,0.35\n");
     Extent values;
     values.include(map.value);
-    add_axis("cb", map.colour, values);
+    add_axis("cb", map.colour, shown(map.colour, values));
     // boxes, not an image: also right on logarithmic axes, and sharp in every viewer
     return fmt::format("$p{}h using (0.5*($1+$3)):(0.5*($2+$4)):1:3:2:4:5 with boxxyerror fs solid 1 noborder lc palette", p);
   }

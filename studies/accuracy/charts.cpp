@@ -54,7 +54,7 @@ Panel panel_of(const CaseResult& result, const char* title, const Axis& x, Cost 
   }
   int number = 0;  // as in the table of the page, in both panels
   for (const Point* p : front(result.curves(), particle_steps))
-    if (p->error > 0 && cost(*p) > 0) panel.marks.push_back({cost(*p), 100 * p->error, std::to_string(++number), Side::below, false});
+    if (p->error > 0 && cost(*p) > 0) panel.marks.push_back({cost(*p), 100 * p->error, std::to_string(++number), Side::free, false});
   panel.legend = Legend::right;
   if (!best.x.empty()) panel.series.insert(panel.series.begin(), best);
   return panel;

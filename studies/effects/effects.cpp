@@ -188,7 +188,6 @@ charts::Chart chart_of(const std::vector<Cost>& costs, const std::vector<Influen
                   {"added by the effect", "ns per particle-step"},
                   {"largest change over discretisation error", "", Scale::logarithmic}};
   constexpr Marker k_markers[] = {Marker::disc, Marker::triangle, Marker::diamond};
-  constexpr Side k_sides[] = {Side::above, Side::right, Side::below};  // scenes' labels keep out of each other's way
   std::vector<Series> scenes;
   double left = 0, right = 1, low = 1, high = 1;
   for (const Point& p : points_of(costs, influences)) {
@@ -199,8 +198,7 @@ charts::Chart chart_of(const std::vector<Cost>& costs, const std::vector<Influen
     }
     const double shown = std::max(p.influence, 1e-3);
     scenes.back().x.push_back(p.added_ns.middle), scenes.back().y.push_back(shown);
-    influence.marks.push_back(
-        {p.added_ns.middle, shown, p.effects, k_sides[(scenes.size() - 1) % std::size(k_sides)], false, scenes.back().colour});
+    influence.marks.push_back({p.added_ns.middle, shown, p.effects, Side::free, false, scenes.back().colour});
     left = std::min(left, p.added_ns.middle), right = std::max(right, p.added_ns.middle);
     low = std::min(low, shown), high = std::max(high, shown);
   }

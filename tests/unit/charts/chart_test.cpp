@@ -10,6 +10,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "analysis/charts/labels.h"
 #include "analysis/charts/text.h"
 #include "solver/io/atomic_file.h"
 #include "solver/scene/input_error.h"
@@ -95,6 +96,36 @@ TEST(ChartColours, DifferAndStayBetweenTheEnds) {
   EXPECT_EQ(ramp(2), ramp(1));
   EXPECT_NE(ramp(0), ramp(1));
   EXPECT_EQ(ramp(0.5).size(), 7u);
+}
+
+Panel crowded(std::vector<Mark> marks) {
+  Panel panel{"", {"x"}, {"y"}};
+  panel.series.push_back({"points", Kind::points, {50, 58}, {50, 50}});
+  panel.marks = std::move(marks);
+  return panel;
+}
+
+std::vector<Side> sides_in_a_square(const Panel& panel) { return label_sides(panel, {0, 100}, {0, 100}, 200, 200, 8); }
+
+TEST(ChartLabels, StandWhereTheyCoverNothing) {
+  const auto sides = sides_in_a_square(crowded({{50, 50, "left one", Side::free}, {58, 50, "right one", Side::free}}));
+  EXPECT_EQ(sides, (std::vector<Side>{Side::left, Side::right}));
+}
+
+TEST(ChartLabels, KeepOutOfEachOthersWayAndOfLines) {
+  EXPECT_EQ(
+      sides_in_a_square(crowded({{58, 50, "asked for", Side::right}, {50, 51, "to the left", Side::left}, {54, 50, "free", Side::free}})),
+      (std::vector<Side>{Side::right, Side::left, Side::above}));
+  Panel crossed = crowded({{50, 50, "upright only", Side::free}});
+  crossed.series = {{"level", Kind::line, {0, 100}, {50, 50}}, {"upwards", Kind::line, {50, 50}, {50, 100}}};
+  EXPECT_EQ(sides_in_a_square(crossed), std::vector<Side>{Side::below});
+}
+
+TEST(ChartLabels, StayOnThePanel) {
+  EXPECT_EQ(sides_in_a_square(crowded({{98, 20, "at the end", Side::free}})), std::vector<Side>{Side::left});
+  Panel decades = crowded({{900, 2, "at the end", Side::free}});
+  decades.x.scale = Scale::logarithmic;
+  EXPECT_EQ(label_sides(decades, {1, 1000}, {0, 100}, 200, 200, 8), std::vector<Side>{Side::left});
 }
 
 class AWrittenChart : public testing::Test {

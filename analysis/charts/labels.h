@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Where the texts of marks stand so that they can be read.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "analysis/charts/chart.h"
+
+namespace bake::charts {
+
+/// Least and largest number on an axis.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  void include(const std::vector<double>& column) {
+    for (const double value : column)
+      if (!std::isnan(value)) low = std::min(low, value), high = std::max(high, value);
+  }
+};
+
+/// The side of each mark of a panel: its own, or for Side::free that of right, left, above and below which covers least of what is drawn
+/// and of other texts, as far as the size of the letters is known. `across`, `up`: extents of the axes; width and height of what is
+/// between them, and the letters' height, in one unit.
+std::vector<Side> label_sides(const Panel& panel, const Extent& across, const Extent& up, double width, double height, double letters);
+
+}  // namespace bake::charts
