@@ -6,6 +6,7 @@
 
 #include "analysis/cli/commands.h"
 #include "analysis/pictures/picture.h"
+#include "solver/io/atomic_file.h"
 #include "solver/io/child.h"
 #include "solver/io/progress.h"
 #include "solver/scene/entry.h"
@@ -38,13 +39,50 @@ std::vector<fs::path> thinned(const std::vector<fs::path>& files, int every) {
   return some;
 }
 
-/// Makes the film. False if ffmpeg is not there; throws std::runtime_error if it fails.
-bool film_from(const fs::path& pictures, double rate, const fs::path& film) {
-  const ChildEnd end =
-      run_child({"ffmpeg", "-y", "-loglevel", "error", "-framerate", fmt::format("{:g}", rate), "-i", pictures.string(), "-vf",
-                 "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", film.string()});
+/// The pattern of ffmpeg's that names the numbered pictures of a folder; `file:` since a colon would name a protocol.
+std::string numbered_pictures(const fs::path& folder) {
+  std::string pattern = "file:";
+  for (const char c : folder.string()) pattern += c == '%' ? "%%" : std::string(1, c);
+  return pattern + "/%04d.png";
+}
+
+/// Makes a film of the first `count` numbered pictures, whole or not at all. False if ffmpeg is not there; throws std::runtime_error if
+/// it fails.
+bool film_from(const fs::path& folder, std::size_t count, double rate, const fs::path& film) {
+  AtomicFile file(film);
+  // this kind of film has an even number of pixels, and its colours are taken for those of television unless it says which they are
+  const ChildEnd end = run_child({"ffmpeg",
+                                  "-y",
+                                  "-loglevel",
+                                  "error",
+                                  "-framerate",
+                                  fmt::format("{:g}", rate),
+                                  "-i",
+                                  numbered_pictures(folder),
+                                  "-frames:v",
+                                  std::to_string(count),
+                                  "-vf",
+                                  "crop=trunc(iw/2)*2:trunc(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv",
+                                  "-c:v",
+                                  "libx264",
+                                  "-crf",
+                                  "18",
+                                  "-pix_fmt",
+                                  "yuv420p",
+                                  "-colorspace",
+                                  "bt709",
+                                  "-color_primaries",
+                                  "bt709",
+                                  "-color_trc",
+                                  "bt709",
+                                  "-movflags",
+                                  "+faststart",
+                                  "-f",
+                                  "mp4",
+                                  "file:" + film.string() + ".part"});
   if (end.start_error != 0) return false;
-  if (end.exit_code != 0) throw std::runtime_error("ffmpeg failed");
+  if (end.exit_code != 0) throw std::runtime_error(fmt::format("ffmpeg failed; the pictures are in {}", quotable_path(folder)));
+  file.commit();
   return true;
 }
 
@@ -79,8 +117,9 @@ int make_movie(const Options& options) {
     write_png(options.out / fmt::format("{:04}.png", i),
               take_picture(view, compose(view, {files[i]}, {results}, histories, threads), stage, threads, progress));
   }
+  meter.clear();
   const fs::path film = options.out / "movie.mp4";
-  if (film_from(options.out / "%04d.png", options.rate, film))
+  if (film_from(options.out, files.size(), options.rate, film))
     fmt::print("{}\n", film.string());
   else
     fmt::print("{} pictures in {}; for an mp4 apt-get install ffmpeg\n", files.size(), options.out.string());

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 #include "tests/unit/analysis/runs.h"
@@ -55,8 +56,38 @@ TEST_F(RenderProgram, MakesAMovieOfNumberedPicturesAndCallsFfmpegIfItIsThere) {
   std::filesystem::permissions(folder / "bin/ffmpeg", std::filesystem::perms::owner_all);
   EXPECT_EQ(call("movie view.toml run --out film --rate 12", "env PATH=bin:$PATH"), 0) << contents(folder / ".err");
   const std::string arguments = contents(folder / "arguments");
-  EXPECT_NE(arguments.find("-framerate 12 -i film/%04d.png"), std::string::npos) << arguments;
+  EXPECT_NE(arguments.find("-framerate 12 -i file:film/%04d.png -frames:v 3 "), std::string::npos) << arguments;
   EXPECT_NE(contents(folder / ".out").find("film/movie.mp4"), std::string::npos);
+
+  put(folder / "bin/ffmpeg", "#!/bin/sh\nexit 1\n");
+  std::filesystem::remove(folder / "film/movie.mp4");
+  EXPECT_EQ(call("movie view.toml run --out film", "env PATH=bin:$PATH"), 3);
+  EXPECT_EQ(contents(folder / ".err"), "bake-render: ffmpeg failed; the pictures are in film\n");
+  EXPECT_FALSE(std::filesystem::exists(folder / "film/movie.mp4"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "film/movie.mp4.part"));
+}
+
+TEST_F(RenderProgram, MakesAMovieThatHasThePicturesOfThisRunAndTheirColours) {
+  if (std::system("command -v ffmpeg >/dev/null") != 0) GTEST_SKIP() << "ffmpeg is not installed";
+  const std::filesystem::path film = folder / "a:b 100%d";
+  std::filesystem::create_directory(film);
+  put(film / "0003.png", "left by a longer run");
+  ASSERT_EQ(call("movie view.toml run --out 'a:b 100%d' --size 41x31 --set ground.show=false --set sky.backdrop=[0.9,0.1,0.1]"), 0)
+      << contents(folder / ".err");
+  // back to pictures: three, of an even number of pixels, the last one as it was drawn but for what is lost by packing
+  std::filesystem::rename(film / "movie.mp4", folder / "movie.mp4");
+  std::filesystem::rename(film / "0002.png", folder / "last.png");
+  const std::string in_folder = fmt::format("cd '{}' && ffmpeg -loglevel error </dev/null ", folder.path().string());
+  ASSERT_EQ(std::system((in_folder + "-i movie.mp4 back%d.ppm").c_str()), 0);
+  ASSERT_EQ(std::system((in_folder + "-i last.png -vf crop=40:30:0:0 -pix_fmt rgb24 drawn.ppm").c_str()), 0);
+  EXPECT_FALSE(std::filesystem::exists(folder / "back4.ppm"));
+  const std::string back = contents(folder / "back3.ppm"), drawn = contents(folder / "drawn.ppm");
+  EXPECT_EQ(back.substr(0, 9), "P6\n40 30\n");
+  ASSERT_EQ(back.size(), drawn.size());
+  std::array<double, 3> channel{};  // sums of differences: a wrong matrix of colours shifts them
+  for (std::size_t i = 0; i < back.size(); ++i)
+    channel[i % 3] += static_cast<unsigned char>(back[i]) - static_cast<unsigned char>(drawn[i]);
+  for (const double sum : channel) EXPECT_LT(std::abs(sum), 5 * 40 * 30) << "of 255 a pixel";
 }
 
 TEST_F(RenderProgram, RefusesWrongUseInOneLine) {
