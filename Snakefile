@@ -4,7 +4,12 @@
 #   snakemake --cores 2                                          all figures at draft
 #   snakemake --cores 2 results/made/bread-draft                 one figure
 #   snakemake --cores 16 --config quality=standard
-#   snakemake --slurm --jobs 8 --default-resources runtime=600   on a Slurm cluster, from a folder that all nodes see
+#   snakemake --slurm --jobs 8 --default-resources runtime=600 --config bake=build/release/bake threads=16
+#                                                                on a Slurm cluster, from a folder that all nodes see
+#
+# A Slurm job asks for `threads` cores (default 8; if no node has as many it waits for ever), `memory_MB` (default 4000) and `runtime`
+# minutes; slurm_account=... and slurm_partition=... stand beside runtime if the cluster wants them. A job that is cut off leaves a
+# checkpoint, and the same line goes on from there. Build first, with the preset `reference` if the nodes' processors differ.
 #
 # The program is ./bake unless told otherwise (--config bake=build/release/bake). What is up to date is left to it: it simulates nothing twice.
 import shutil
@@ -12,6 +17,7 @@ import subprocess
 
 BAKE = config.get("bake", "./bake")
 QUALITY = config.get("quality", "draft")
+MEMORY_MB = config.get("memory_MB", 4000)  # of a Slurm job; snakemake would ask for 1000, about what the surface of a crack takes at paper
 OPTIONS = config.get("options", "")  # further ones of `bake figure`, e.g. --no-pictures
 
 RUNS = {}  # of each figure
@@ -38,6 +44,7 @@ onerror: shutil.rmtree("results/made", ignore_errors=True)
 rule run:
     output: touch("results/made/{figure}-{quality}.{run}")
     threads: config.get("threads", 8)
+    resources: mem_mb=MEMORY_MB
     shell: "{BAKE} figure {wildcards.figure} --quality {wildcards.quality} --only-run {wildcards.run} --threads {threads}"
 
 
@@ -45,4 +52,5 @@ rule figure:
     input: lambda wildcards: [f"results/made/{wildcards.figure}-{wildcards.quality}.{run}" for run in RUNS[wildcards.figure]]
     output: touch("results/made/{figure}-{quality}")
     threads: config.get("threads", 8)
+    resources: mem_mb=MEMORY_MB
     shell: "{BAKE} figure {wildcards.figure} --quality {wildcards.quality} --threads {threads} {OPTIONS}"

@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The Snakefile makes every figure of a small paper, run by run, on this machine. Usage: snakemake_test.sh <source folder> <bake program>
-# Skipped (77) where snakemake is not installed.
+# The Snakefile makes every figure of a small paper, run by run: snakemake_test.sh <source folder> <bake program> on this machine,
+# skipped (77) where snakemake is not installed; with a third word, slurm, through the Slurm cluster that the machine belongs to (three to
+# four minutes: snakemake asks for the state of a job every half minute; run it when the Snakefile changes, where there is a Slurm).
 set -euo pipefail
 command -v snakemake >/dev/null || exit 77
 
 source_folder=$1
 bake=$2
-paper=$(mktemp -d)
+[[ ${3:-} == slurm ]] && way=(--slurm --jobs 2 --default-resources runtime=10) || way=(--cores 2)
+paper=$(mktemp -d)  # with slurm, set TMPDIR to a folder that all nodes see
 trap 'rm -rf "$paper"' EXIT
 cd "$paper"
 mkdir -p paper experiments/teaching
@@ -41,7 +43,7 @@ why = "it stays in the domain"
 END
 
 fail() { echo "FAILED: $*"; tail -n 30 log; exit 1; }
-make_all() { HOME=$paper snakemake --cores 2 --config "bake=$bake" threads=1 >log 2>&1; }
+make_all() { HOME=$paper snakemake "${way[@]}" --config "bake=$bake" threads=1 >log 2>&1; }
 
 make_all || fail "snakemake failed"
 [[ $(grep -c '^rule run:' log) == 2 ]] || fail "not a job for each run"
