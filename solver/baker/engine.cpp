@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "solver/boundary/vector3.h"
+#include "solver/core/parallel.h"
 #include "solver/io/progress.h"
 #include "solver/particles/fields.h"
 
@@ -29,14 +30,35 @@ void book_impulse(const Point& x, const Vector3& impulse, Bookings& booked) {
 /// Every node with mass gets m dv; the sum acts at the block's centre of mass.
 template <class Real>
 void book_gravity(const Real* mass, const Point& origin, double dx, const Vector3& dv, Bookings& booked) {
-  double m = 0;
-  Vector3 first{0, 0, 0};
-  for (int n = 0; n < k_block_nodes; ++n) {
-    const auto m_n = static_cast<double>(mass[n]);
-    m += m_n;
-    first = first + m_n * node_position({0, 0, 0}, 1, n);
-  }
+  double planes[3][4] = {};  // mass by x, y and z
+  for (int x = 0; x < 4; ++x)
+    for (int y = 0; y < 4; ++y) {
+      double line[4];
+      for (int z = 0; z < 4; ++z) {
+        line[z] = static_cast<double>(mass[node_in_block(x, y, z)]);
+        planes[2][z] += line[z];
+      }
+      const double sum = (line[0] + line[1]) + (line[2] + line[3]);
+      planes[0][x] += sum;
+      planes[1][y] += sum;
+    }
+  const double m = (planes[2][0] + planes[2][1]) + (planes[2][2] + planes[2][3]);
+  Vector3 first;
+  for (std::size_t d = 0; d < 3; ++d) first[d] = planes[d][1] + 2 * planes[d][2] + 3 * planes[d][3];
   if (m > 0) book_impulse(origin + (dx / m) * first, m * dv, booked);
+}
+
+template <class Real>
+double sum_over_block(const Real* nodes) {
+  Lanes<Real> sum{};
+  for (int n = 0; n < k_block_nodes; n += k_width<Real>) sum += *reinterpret_cast<const Lanes<Real>*>(nodes + n);
+  return sum_lanes(sum);
+}
+
+/// Asks for rows that will be read and written soon.
+template <class Real>
+BAKE_INLINE void prefetch_rows(const Real* first, std::size_t numbers) {
+  for (std::size_t i = 0; i < numbers; i += 64 / sizeof(Real)) __builtin_prefetch(first + i, 1, 2);
 }
 
 }  // namespace
@@ -74,8 +96,8 @@ BlockWork<Real> Engine<Real>::work(const Step<Real>& step) {
   w.store = &store_;
   w.physics = physics_.get();
   w.contacts = &contacts_;
-  w.gathered = grid_.data();
-  w.scattered = other_.data();
+  w.gathered = gathered_.data();
+  w.scattered = scattered_.data();
   w.step = step;
   const Point origin = lattice_.origin({0, 0, 0});
   const Face low[3] = {scene_.domain.x_min, scene_.domain.y_min, scene_.domain.z_min};
@@ -150,28 +172,19 @@ void Engine<Real>::pass(double next_dt, bool sample) {
     velocity_.resize_and_forget(store_.tiles.size() * 3 * k_width<Real>);
     w.velocity = velocity_.data();
   }
-  const std::size_t numbers = other_.size();
-#pragma omp parallel
-  {
-    const auto threads = static_cast<std::size_t>(omp_get_num_threads()), me = static_cast<std::size_t>(omp_get_thread_num());
-    const std::size_t first = numbers * me / threads, last = numbers * (me + 1) / threads;
-    if (last > first) std::memset(other_.data() + first, 0, (last - first) * sizeof(Real));
-  }
-  std::vector<BlockResult<Real>> results(store_.blocks.size());
-  for (const auto& columns : colours_.columns) {
-    const auto count = static_cast<std::int64_t>(columns.size());
-#pragma omp parallel for schedule(dynamic, 1)
-    for (std::int64_t c = 0; c < count; ++c)
-      for (std::int32_t b = columns[static_cast<std::size_t>(c)].first; b < columns[static_cast<std::size_t>(c)].second; ++b)
-        kernel_->advance(w, b, scratch_[static_cast<std::size_t>(omp_get_thread_num())], results[static_cast<std::size_t>(b)], sample);
-  }
-  grid_.swap(other_);
+  results_.resize(store_.blocks.size());
+  for (const auto& columns : colours_.columns)
+    for_each_parallel(columns.size(), 1, [&](std::size_t c) {
+      Scratch<Real>& scratch = scratch_[static_cast<std::size_t>(omp_get_thread_num())];
+      for (std::int32_t b = columns[c].first; b < columns[c].second; ++b)
+        kernel_->advance(w, b, scratch, results_[static_cast<std::size_t>(b)], sample);
+    });
   dt_ = next_dt;
   extremes_ = {};
   if (sample) totals_ = {}, temperature_low_ = 1e30, temperature_high_ = -1e30;
-  reduce(results);
+  reduce(results_);
   std::vector<Escape<Real>> escapes;
-  for (auto& r : results)
+  for (auto& r : results_)
     for (auto& e : r.escapes) escapes.push_back(std::move(e));
   if (!escapes.empty()) settle(escapes);
 }
@@ -196,76 +209,26 @@ void Engine<Real>::reduce(const std::vector<BlockResult<Real>>& results) {
 
 template <class Real>
 void Engine<Real>::update_grid() {
-  constexpr int W = k_width<Real>;
-  const int RS = row_size();
   const Step<Real> step = current_step();
+  active_.find_touched(store_.blocks);
   Air air;
   if (has_surface_) {
     air = {scene_.oven.exchange_W_per_m2K(time_), scene_.oven.temperature_C(time_), scene_.oven.equilibrium_saturation(time_)};
     if (scene_.surface.form == Form::standard)
-      surface_.measure(grid_.data(), RS, physics_->volume_channel, active_, lattice_, contacts_, air);
+      surface_.measure(scattered_.data(), scattered_row(), physics_->volume_channel, active_, lattice_, contacts_, air);
     else
       measure_published_surface(air);
   }
-  const Vector3 g = physics_->moves ? scene_.of<Motion>().gravity_m_per_s2 : Vector3{0, 0, 0};
-  const double inertia = scene_.of<Motion>().inertia_scale;
+  const std::size_t blocks = active_.at.size(), nodes = blocks * k_block_nodes;
+  gathered_.resize_and_forget(nodes * static_cast<std::size_t>(gathered_row()));
   const bool implicit = physics_->implicit_heat;
-  const auto blocks = static_cast<std::int64_t>(active_.at.size());
-  if (implicit) heat_weight_.assign(active_.at.size() * k_block_nodes, Real(0));
-  if (physics_->has_water) {
-    moved_water_.assign(active_.at.size() * k_block_nodes, Real(0));
-    evaporated_water_.assign(active_.at.size() * k_block_nodes, Real(0));
-  }
-  std::vector<Bookings> booked(active_.at.size());
-
-#pragma omp parallel for schedule(dynamic, 16)
-  for (std::int64_t i = 0; i < blocks; ++i) {
-    const auto s = static_cast<std::size_t>(i);
-    Real* rows = grid_.data() + s * k_block_nodes * static_cast<std::size_t>(RS);
-    bool empty = true;
-    for (int n = 0; n < k_block_nodes && empty; ++n) empty = rows[n * RS + physics_->filled_channel] == 0;
-    if (empty) continue;
-    const bool at_contact = physics_->moves && contacts_.near(active_.at[s], 0);
-    const bool at_grip = contacts_.holds_temperatures() && contacts_.near(active_.at[s], 0);
-    alignas(64) Real mass[k_block_nodes];
-    for (int first = 0; first < k_block_nodes; first += W) {
-      alignas(64) Lanes<Real> in[16], out[16] = {};
-      NodeSums<Real> sums;
-      for (int c = 0; c < physics_->scatter_channels; ++c)
-        for (int l = 0; l < W; ++l) in[c][l] = rows[(first + l) * RS + c];
-      Surroundings<Real> around{};
-      load_surroundings(s, first, at_grip, around);
-      around.saturation = lanes<Real>(static_cast<Real>(air.saturation));
-      physics_->update_nodes(in, out, sums, around, step, booked[s]);
-      if (physics_->moves) {
-        for (int d = 0; d < 3; ++d)
-          out[d] += sums.inertia > 0 ? lanes<Real>(static_cast<Real>(dt_ * g[static_cast<std::size_t>(d)] / inertia)) : 0 * sums.inertia;
-        *reinterpret_cast<Lanes<Real>*>(mass + first) = sums.inertia;
-      }
-      for (int c = 0; c < physics_->gather_channels; ++c)
-        for (int l = 0; l < W; ++l) rows[(first + l) * RS + c] = out[c][l];
-      const std::size_t node = s * k_block_nodes + static_cast<std::size_t>(first);
-      if (implicit) std::memcpy(&heat_weight_[node], &sums.heat_weight, sizeof(sums.heat_weight));
-      if (physics_->has_water) {
-        std::memcpy(&moved_water_[node], &sums.moved, sizeof(sums.moved));
-        std::memcpy(&evaporated_water_[node], &sums.evaporated, sizeof(sums.evaporated));
-      }
-    }
-    if (physics_->moves) {
-      book_gravity(mass, lattice_.origin(active_.at[s]), lattice_.dx(), (dt_ / inertia) * g, booked[s]);
-      if (force_) change_velocities(s, mass, rows, booked[s], [&](const Point& x, const Vector3& v) { return force_(x, v, time_, dt_); });
-      if (at_contact)
-        change_velocities(s, mass, rows, booked[s], [&](const Point& x, const Vector3& v) { return contacts_.velocity_after(x, v); });
-    }
-    if (physics_->has_water && !implicit) book_water(s, booked[s]);
-    if (has_surface_ && surface_.has_surface(s)) {
-      const BlockSurroundings<Real>& around = surface_.at(s);
-      for (int n = 0; n < k_block_nodes; ++n) {
-        booked[s][static_cast<std::size_t>(Entry::area)] += static_cast<double>(around.area[n]);
-        booked[s][static_cast<std::size_t>(Entry::contact_area)] += static_cast<double>(around.contact_area[n]);
-      }
-    }
-  }
+  if (implicit) heat_weight_.assign(nodes, Real(0));
+  if (physics_->has_water) moved_water_.resize(nodes), evaporated_water_.resize(nodes);
+  block_bookings_.resize(blocks);
+  for_each_parallel(blocks, 16, [&](std::size_t s) {
+    block_bookings_[s] = {};
+    if (active_.touched[s]) update_block(s, air, step, block_bookings_[s]);
+  });
   if (implicit) {
     const auto exchange_at = [&](std::size_t slot, int node) {
       return has_surface_ && surface_.has_surface(slot) ? surface_.at(slot).exchange[node] : Real(0);
@@ -273,12 +236,69 @@ void Engine<Real>::update_grid() {
     const BlockWork<Real> w = work(step);
     booked_[static_cast<std::size_t>(Entry::exchanged)] +=
         implicit_heat_.solve(*kernel_, w, colours_.columns, scratch_, heat_weight_, exchange_at, physics_->temperature_channel, dt_,
-                             scene_.of<Heat>().tolerance, grid_);
+                             scene_.of<Heat>().tolerance, gathered_);
     if (physics_->has_water)
-      for (std::size_t s = 0; s < booked.size(); ++s) book_water(s, booked[s]);
+      for (std::size_t s = 0; s < blocks; ++s)
+        if (active_.touched[s]) book_water(s, block_bookings_[s]);
   }
   booked_[static_cast<std::size_t>(Entry::area)] = booked_[static_cast<std::size_t>(Entry::contact_area)] = 0;  // of this step, not a sum
-  for (const Bookings& b : booked) add_to(booked_, b);
+  for (const Bookings& b : block_bookings_) add_to(booked_, b);
+}
+
+/// From scattered to gathered rows. A block found empty is no longer `touched`.
+template <class Real>
+void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>& step, Bookings& booked) {
+  constexpr int W = k_width<Real>;
+  const auto RS = static_cast<std::size_t>(scattered_row()), RG = static_cast<std::size_t>(gathered_row());
+  Real* from = scattered_.data() + s * k_block_nodes * RS;
+  Real* rows = gathered_.data() + s * k_block_nodes * RG;
+  bool empty = true;
+  for (std::size_t n = 0; n < k_block_nodes && empty; ++n) empty = from[n * RS + static_cast<std::size_t>(physics_->filled_channel)] == 0;
+  if (empty) {
+    std::memset(rows, 0, k_block_nodes * RG * sizeof(Real));
+    std::memset(from, 0, k_block_nodes * RS * sizeof(Real));
+    active_.touched[s] = 0;
+    return;
+  }
+  const Vector3 g = physics_->moves ? scene_.of<Motion>().gravity_m_per_s2 : Vector3{0, 0, 0};
+  const double inertia = scene_.of<Motion>().inertia_scale;
+  const bool at_contact = physics_->moves && contacts_.near(active_.at[s], 0);
+  const bool at_grip = contacts_.holds_temperatures() && contacts_.near(active_.at[s], 0);
+  alignas(64) Real mass[k_block_nodes];
+  alignas(64) Lanes<Real> in[k_most_channels], out[k_most_channels] = {};
+  for (int first = 0; first < k_block_nodes; first += W) {
+    const auto n = static_cast<std::size_t>(first), node = s * k_block_nodes + n;
+    NodeSums<Real> sums;
+    prefetch_rows(from + (k_block_nodes + n) * RS, W * RS);  // of the next block
+    kernel_->take_nodes(from + n * RS, in);
+    Surroundings<Real> around{};
+    load_surroundings(s, first, at_grip, around);
+    around.saturation = lanes<Real>(static_cast<Real>(air.saturation));
+    physics_->update_nodes(in, out, sums, around, step, booked);
+    if (physics_->moves) {
+      for (std::size_t d = 0; d < 3; ++d)
+        out[d] += sums.inertia > 0 ? lanes<Real>(static_cast<Real>(dt_ * g[d] / inertia)) : 0 * sums.inertia;
+      *reinterpret_cast<Lanes<Real>*>(mass + first) = sums.inertia;
+    }
+    kernel_->put_nodes(out, rows + n * RG);
+    if (physics_->implicit_heat) std::memcpy(&heat_weight_[node], &sums.heat_weight, sizeof(sums.heat_weight));
+    if (physics_->has_water) {
+      std::memcpy(&moved_water_[node], &sums.moved, sizeof(sums.moved));
+      std::memcpy(&evaporated_water_[node], &sums.evaporated, sizeof(sums.evaporated));
+    }
+  }
+  if (physics_->moves) {
+    book_gravity(mass, lattice_.origin(active_.at[s]), lattice_.dx(), (dt_ / inertia) * g, booked);
+    if (force_) change_velocities(s, mass, rows, booked, [&](const Point& x, const Vector3& v) { return force_(x, v, time_, dt_); });
+    if (at_contact)
+      change_velocities(s, mass, rows, booked, [&](const Point& x, const Vector3& v) { return contacts_.velocity_after(x, v); });
+  }
+  if (physics_->has_water && !physics_->implicit_heat) book_water(s, booked);
+  if (has_surface_ && surface_.has_surface(s)) {
+    const BlockSurroundings<Real>& around = surface_.at(s);
+    booked[static_cast<std::size_t>(Entry::area)] += sum_over_block(around.area);
+    booked[static_cast<std::size_t>(Entry::contact_area)] += sum_over_block(around.contact_area);
+  }
 }
 
 /// What evaporates takes its momentum and heat along; what moves between nodes is booked against what moves between particles
@@ -293,7 +313,7 @@ void Engine<Real>::book_water(std::size_t slot, Bookings& booked) const {
     const std::size_t node = slot * k_block_nodes + static_cast<std::size_t>(n);
     const auto moved = static_cast<double>(moved_water_[node]), evaporated = static_cast<double>(evaporated_water_[node]);
     if (moved == 0 && evaporated == 0) continue;
-    const Real* row = grid_.data() + node * static_cast<std::size_t>(row_size());
+    const Real* row = gathered_.data() + node * static_cast<std::size_t>(gathered_row());
     if (physics_->has_heat) {
       const double heat = alpha_w * static_cast<double>(row[physics_->temperature_channel]);
       add(Entry::vapour_heat, heat * evaporated);
@@ -313,7 +333,7 @@ void Engine<Real>::book_water(std::size_t slot, Bookings& booked) const {
 template <class Real>
 void Engine<Real>::measure_published_surface(const Air& air) {
   const auto measure = [&]<KernelOrder order>() {
-    surface_.template measure_published<order>(store_, grid_.data(), row_size(), physics_->volume_channel,
+    surface_.template measure_published<order>(store_, scattered_.data(), scattered_row(), physics_->volume_channel,
                                                physics_->column_of(field::VolumeRatio::name),
                                                physics_->column_of(field::InitialVolume::name), active_, lattice_, contacts_, air);
   };
@@ -349,7 +369,7 @@ void Engine<Real>::change_velocities(std::size_t slot, const Real* mass, Real* r
   const Point origin = lattice_.origin(active_.at[slot]);
   for (int n = 0; n < k_block_nodes; ++n) {
     if (!(mass[n] > 0)) continue;
-    Real* row = rows + n * row_size();
+    Real* row = rows + n * gathered_row();
     const Vector3 v{double(row[0]), double(row[1]), double(row[2])};
     const Point x = node_position(origin, lattice_.dx(), n);
     const Vector3 changed = after(x, v);
@@ -360,7 +380,7 @@ void Engine<Real>::change_velocities(std::size_t slot, const Real* mass, Real* r
 
 template <class Real>
 std::size_t Engine<Real>::bytes() const {
-  return store_.data.bytes() + spare_.data.bytes() + grid_.bytes() + other_.bytes() + velocity_.bytes() +
+  return store_.data.bytes() + spare_.data.bytes() + scattered_.bytes() + spare_rows_.bytes() + gathered_.bytes() + velocity_.bytes() +
          (store_.tiles.capacity() + spare_.tiles.capacity()) * sizeof(Tile) +
          (store_.blocks.capacity() + spare_.blocks.capacity()) * sizeof(HomeBlock) + active_.slot_of.capacity() * sizeof(std::int32_t) +
          surface_.bytes();

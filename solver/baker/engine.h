@@ -59,7 +59,8 @@ class Engine {
   const AlignedBuffer<Real>& velocity() const { return velocity_; }  ///< [tile][3][W] right after a sample; empty where nothing moves
   const Physics<Real>& physics() const { return *physics_; }
   const Lattice& lattice() const { return lattice_; }
-  int row_size() const { return kernel_->row_size(); }
+  int scattered_row() const { return kernel_->scattered_row(); }  ///< numbers per node of the scattered grid
+  int gathered_row() const { return kernel_->gathered_row(); }    ///< and of the gathered one
   std::size_t active_nodes() const { return active_.at.size() * k_block_nodes; }
   std::size_t bytes() const;                                                   ///< memory of particles and grid
   double next_event(double time) const { return contacts_.next_event(time); }  ///< see Contacts
@@ -75,6 +76,7 @@ class Engine {
   Step<Real> current_step() const;
   BlockWork<Real> work(const Step<Real>& step);
   void update_grid();
+  void update_block(std::size_t slot, const Air& air, const Step<Real>& step, Bookings& booked);
   void measure_published_surface(const Air& air);
   void load_surroundings(std::size_t slot, int first, bool at_grip, Surroundings<Real>& around) const;
   void book_water(std::size_t slot, Bookings& booked) const;
@@ -101,11 +103,14 @@ class Engine {
   StepLimits limits_;
 
   ParticleStore<Real> store_, spare_;
-  AlignedBuffer<Real> grid_, other_;  ///< scattered rows; the other receives the next scatter
+  AlignedBuffer<Real> scattered_, spare_rows_;  ///< what the next grid update takes; a spare one to move it into other blocks
+  AlignedBuffer<Real> gathered_;                ///< what the last grid update gave
   ActiveBlocks active_;
   ColourColumns colours_;
   AlignedBuffer<Real> velocity_;
   std::vector<Scratch<Real>> scratch_;
+  std::vector<BlockResult<Real>> results_;  ///< of the home blocks in a pass
+  std::vector<Bookings> block_bookings_;    ///< of the grid's blocks in an update
   ImplicitHeat<Real> implicit_heat_;
   std::vector<Real> heat_weight_;                     ///< of the nodes, for backward Euler
   std::vector<Real> moved_water_, evaporated_water_;  ///< of the nodes in this step [kg]; empty without water

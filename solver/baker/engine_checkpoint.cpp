@@ -17,7 +17,7 @@ void Engine<Real>::write(CheckpointWriter& out) const {
   out.add("blocks", std::span<const std::int32_t>(blocks));
   out.add("tiles", std::span<const std::int32_t>(tiles));
   out.add("particles", std::span<const Real>(store_.data.data(), store_.data.size()));
-  out.add("grid", std::span<const Real>(grid_.data(), grid_.size()));
+  out.add("grid", std::span<const Real>(scattered_.data(), scattered_.size()));
   const double numbers[] = {time_,
                             dt_,
                             extremes_.speed2,
@@ -83,10 +83,9 @@ void Engine<Real>::read(const CheckpointReader& in) {
             throw InputError("the checkpoint's particle " + std::to_string(identity_of<Real>(store_.tile(t), l)) + ": found " +
                              column.name + " that is not finite, allowed: numbers");
   after_ordering();
-  expect(grid.size() == active_.at.size() * k_block_nodes * static_cast<std::size_t>(row_size()));
-  grid_.resize_and_forget(grid.size());
-  other_.resize_and_forget(grid.size());
-  std::copy(grid.begin(), grid.end(), grid_.data());
+  expect(grid.size() == active_.at.size() * k_block_nodes * static_cast<std::size_t>(scattered_row()));
+  scattered_.resize_and_forget(grid.size());
+  std::copy(grid.begin(), grid.end(), scattered_.data());
   std::copy(booked.begin(), booked.end(), booked_.begin());
   std::copy(totals.begin(), totals.end(), totals_.begin());
   std::copy(retired.begin(), retired.end(), retired_.begin());

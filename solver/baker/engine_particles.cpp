@@ -89,10 +89,9 @@ void Engine<Real>::add(const std::vector<NewParticle>& particles, bool poured) {
 template <class Real>
 void Engine<Real>::scatter_new(const ParticleStore<Real>& fresh, const std::vector<Real>& start, bool poured) {
   constexpr int W = k_width<Real>;
-  const std::size_t rows_per_particle = 4 * static_cast<std::size_t>(kernel_->row_size());
+  const std::size_t rows_per_particle = 4 * static_cast<std::size_t>(scattered_row());
   const Step<Real> step = current_step();
   BlockWork<Real> w = work(step);
-  w.scattered = grid_.data();
   AlignedBuffer<Real> scattered, rows, columns;
   scattered.resize_and_forget(rows_per_particle * W);
   rows.resize_and_forget(rows_per_particle * W);
@@ -116,7 +115,7 @@ void Engine<Real>::scatter_new(const ParticleStore<Real>& fresh, const std::vect
       alignas(64) Lanes<Real> motion[12];
       std::memcpy(motion, start.data() + at * 12 * W, sizeof(motion));
       physics_->start(lanes_of, fresh.tiles[at].material, motion, motion + 3, reinterpret_cast<Lanes<Real>*>(scattered.data()),
-                      kernel_->row_size(), step, report);
+                      scattered_row(), step, report);
       kernel_->to_rows(*physics_, x, reinterpret_cast<Lanes<Real>*>(scattered.data()), rows.data());
       for (int l = 0; l < count; ++l)
         kernel_->scatter_rows(w, home, {x[0][l], x[1][l], x[2][l]}, rows.data() + static_cast<std::size_t>(l) * rows_per_particle);
@@ -155,20 +154,19 @@ void Engine<Real>::after_ordering() {
 /// Moves the scattered rows to the slots that their blocks have now; new blocks are empty.
 template <class Real>
 void Engine<Real>::rehome_grid(const ActiveBlocks& before) {
-  const std::size_t block_size = static_cast<std::size_t>(k_block_nodes) * static_cast<std::size_t>(row_size());
-  const std::size_t needed = active_.at.size() * block_size;
-  other_.resize_and_forget(needed);
+  const std::size_t block_size = static_cast<std::size_t>(k_block_nodes) * static_cast<std::size_t>(scattered_row());
+  spare_rows_.resize_and_forget(active_.at.size() * block_size);
 #pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < active_.at.size(); ++i) {
     const std::size_t linear = lattice_.linear(active_.at[i]);
     const std::int32_t old = before.slot_of.empty() ? -1 : before.slot_of[linear];
     if (old >= 0)
-      std::memcpy(other_.data() + i * block_size, grid_.data() + static_cast<std::size_t>(old) * block_size, block_size * sizeof(Real));
+      std::memcpy(spare_rows_.data() + i * block_size, scattered_.data() + static_cast<std::size_t>(old) * block_size,
+                  block_size * sizeof(Real));
     else
-      std::memset(other_.data() + i * block_size, 0, block_size * sizeof(Real));
+      std::memset(spare_rows_.data() + i * block_size, 0, block_size * sizeof(Real));
   }
-  grid_.swap(other_);
-  other_.resize_and_forget(needed);
+  scattered_.swap(spare_rows_);
 }
 
 /// Particles that drifted out of their blocks: retire or order them, then scatter what they owe.
@@ -210,7 +208,6 @@ void Engine<Real>::settle(std::vector<Escape<Real>>& escapes) {
   rehome_grid(before);
   carry_velocity(spare_, {});
   BlockWork<Real> w = work(current_step());
-  w.scattered = grid_.data();
   for (std::size_t i = 0; i < escapes.size(); ++i)
     if (!escapes[i].retired) kernel_->scatter_rows(w, home_of(homes[i].block), homes[i].x, escapes[i].rows.data());
   phases_.ordering += steady_seconds() - began;

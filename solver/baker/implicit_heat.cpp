@@ -9,6 +9,7 @@
 #include <string>
 
 #include "solver/baker/run_error.h"
+#include "solver/core/parallel.h"
 
 namespace bake {
 
@@ -37,30 +38,29 @@ double ImplicitHeat<Real>::solve(const BlockKernel<Real>& kernel, BlockWork<Real
                                  std::vector<Scratch<Real>>& scratch, const std::vector<Real>& weight,
                                  const std::function<Real(std::size_t, int)>& exchange, int temperature_channel, double dt,
                                  double tolerance, AlignedBuffer<Real>& grid) {
-  const std::size_t n = weight.size(), row = static_cast<std::size_t>(kernel.row_size());
-  in_.resize_and_forget(n * row);
-  out_.resize_and_forget(n * row);
+  const std::size_t n = weight.size(), gathered_row = static_cast<std::size_t>(kernel.gathered_row()),
+                    scattered_row = static_cast<std::size_t>(kernel.scattered_row());
+  in_.resize_and_forget(n * gathered_row);
+  out_.resize_and_forget(n * scattered_row);
   std::memset(in_.data(), 0, in_.size() * sizeof(Real));
   work.gathered = in_.data();
   work.scattered = out_.data();
   const auto apply = [&](const std::vector<Real>& v, std::vector<Real>& Kv) {  // dt K v
 #pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < n; ++i) in_.data()[i * row] = v[i];
+    for (std::size_t i = 0; i < n; ++i) in_.data()[i * gathered_row] = v[i];
     std::memset(out_.data(), 0, out_.size() * sizeof(Real));
-    for (const BlockColumns& columns : colours) {
-      const auto count = static_cast<std::int64_t>(columns.size());
-#pragma omp parallel for schedule(dynamic, 1)
-      for (std::int64_t c = 0; c < count; ++c)
-        for (std::int32_t b = columns[static_cast<std::size_t>(c)].first; b < columns[static_cast<std::size_t>(c)].second; ++b)
+    for (const BlockColumns& columns : colours)
+      for_each_parallel(columns.size(), 1, [&](std::size_t c) {
+        for (std::int32_t b = columns[c].first; b < columns[c].second; ++b)
           kernel.conduct(work, b, scratch[static_cast<std::size_t>(omp_get_thread_num())]);
-    }
+      });
     Kv.resize(n);
 #pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < n; ++i) Kv[i] = static_cast<Real>(dt) * out_.data()[i * row];
+    for (std::size_t i = 0; i < n; ++i) Kv[i] = static_cast<Real>(dt) * out_.data()[i * scattered_row];
   };
 
   x_.resize(n), r_.resize(n), p_.assign(n, 0), Kp_.resize(n);
-  for (std::size_t i = 0; i < n; ++i) x_[i] = grid.data()[i * row + static_cast<std::size_t>(temperature_channel)];
+  for (std::size_t i = 0; i < n; ++i) x_[i] = grid.data()[i * gathered_row + static_cast<std::size_t>(temperature_channel)];
   const std::vector<Real> start = x_;
   apply(x_, Kp_);
   std::vector<Real> z(n);
@@ -94,7 +94,7 @@ double ImplicitHeat<Real>::solve(const BlockKernel<Real>& kernel, BlockWork<Real
   for (std::size_t i = 0; i < n; ++i) {
     const Real correction = x_[i] - start[i];
     if (weight[i] > 0) {
-      Real* rows = grid.data() + i * row + temperature_channel;
+      Real* rows = grid.data() + i * gathered_row + temperature_channel;
       rows[0] += correction;
       rows[-1] += correction;
       booked -=

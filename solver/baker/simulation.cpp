@@ -147,7 +147,7 @@ class SimulationOf final : public Simulation {
     const auto& physics = engine_.physics();
     return fmt::format("{} numbers ({} bytes) per particle, {} scattered and {} gathered channels ({} bytes) per node",
                        physics.column_count, static_cast<std::size_t>(physics.column_count) * sizeof(Real), physics.scatter_channels,
-                       physics.gather_channels, static_cast<std::size_t>(engine_.row_size()) * sizeof(Real));
+                       physics.gather_channels, static_cast<std::size_t>(engine_.scattered_row() + engine_.gathered_row()) * sizeof(Real));
   }
 
   Snapshot snapshot() const override {

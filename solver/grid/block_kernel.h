@@ -26,8 +26,8 @@ template <class Real>
 struct BlockWork {
   ParticleStore<Real>* store = nullptr;
   const Physics<Real>* physics = nullptr;
-  const Real* gathered = nullptr;  ///< grid that is read: rows of `row_size` numbers
-  Real* scattered = nullptr;       ///< grid that is added to
+  const Real* gathered = nullptr;  ///< grid that is read: rows of gathered_row() numbers
+  Real* scattered = nullptr;       ///< grid that is added to: rows of scattered_row() numbers
   Step<Real> step;
   Real* velocity = nullptr;  ///< if not null: [tile][3][W]
   const Contacts* contacts = nullptr;
@@ -65,6 +65,9 @@ void collect(const Report<Real>& report, BlockResult<Real>& result) {
   result.temperature_high = static_cast<double>(largest_lane(report.temperature_high));
 }
 
+/// Of the widest rows that are compiled: numbers, and those of them that may have coefficients of the node offsets.
+inline constexpr int k_most_channels = 16, k_most_moments = 8;
+
 /// Scratch memory of one thread.
 template <class Real>
 struct Scratch {
@@ -75,14 +78,19 @@ template <class Real>
 class BlockKernel {
  public:
   virtual ~BlockKernel() = default;
-  virtual int row_size() const = 0;  ///< numbers per node
+  virtual int scattered_row() const = 0;  ///< numbers per node of the grid that is added to
+  virtual int gathered_row() const = 0;   ///< numbers per node of the grid that is read
   /// Gather, physics and scatter of all particles of home block `index`.
   virtual void advance(const BlockWork<Real>&, int index, Scratch<Real>&, BlockResult<Real>&, bool totals) const = 0;
   /// The values and node coefficients of W particles at `x` (block-relative, in node distances), turned into one row set each:
-  /// `rows` receives W times 4 * row_size() numbers.
+  /// `rows` receives W times 4 * scattered_row() numbers.
   virtual void to_rows(const Physics<Real>&, const Lanes<Real> (&x)[3], Lanes<Real>* scattered, Real* rows) const = 0;
   /// Adds one particle's rows to the grid around home block `index`: new particles, and those that left their block.
   virtual void scatter_rows(const BlockWork<Real>&, int index, const Real (&x)[3], const Real* rows) const = 0;
+  /// Takes W nodes' scattered rows: channels as lanes, up to scattered_row() of them. The rows are left zero.
+  virtual void take_nodes(Real* rows, Lanes<Real>* channels) const = 0;
+  /// Writes W nodes' gathered rows from gathered_row() channels.
+  virtual void put_nodes(const Lanes<Real>* channels, Real* rows) const = 0;
   /// Conduction of a nodal temperature (row channel 0 of `gathered`): adds to channel 0 of `scattered`
   /// sum_p kappa V D^-1 w r . grad theta (backward Euler's operator).
   virtual void conduct(const BlockWork<Real>&, int index, Scratch<Real>&) const = 0;

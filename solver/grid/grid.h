@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The grid: a box of nodes of which only the blocks around particles exist.
 //
-// Nodes are grouped in blocks of 4x4x4. A node is one row of numbers: what was scattered before the grid update, what will
-// be gathered after it, in the same place. Blocks come into being where particles are: the 27 around every home block.
+// Nodes are grouped in blocks of 4x4x4. A node is a row of numbers that were scattered and another, shorter, of those that the grid
+// update made of them to be gathered. Blocks come into being where particles are: the 27 around every home block.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,9 @@ namespace bake {
 
 inline constexpr int k_block_nodes = 64;
 inline constexpr int k_tile_side = 8;
-inline constexpr int k_tile_nodes = 512;
+/// Rows from one plane of a tile to the next: more than 64, so that planes do not share the sets of the first-level cache.
+inline constexpr int k_tile_plane = 70;
+inline constexpr int k_tile_nodes = k_tile_side * k_tile_plane;
 /// Nodes beyond a face of the domain into which dough is mirrored for the measure of its surface: dough reaches the first, whose area
 /// depends on the volume of three more.
 inline constexpr int k_mirrored = 4;
@@ -74,6 +76,7 @@ struct ActiveBlocks {
   std::vector<std::int32_t> slot_of;  ///< by linear block number; -1: not there
 
   std::vector<std::array<std::int32_t, 27>> around;  ///< slots of a block's neighbours and its own, as in HomeBlock; -1: not there
+  std::vector<char> touched;                         ///< by slot: may something have been scattered to its nodes?
 
   /// Makes the 27 blocks around every home block, and those that dough is mirrored into at a face of the domain, in order of first
   /// use; writes the neighbour tables.
@@ -88,6 +91,16 @@ struct ActiveBlocks {
     around.resize(at.size());
     for (std::size_t s = 0; s < at.size(); ++s)
       for (int i = 0; i < 27; ++i) around[s][static_cast<std::size_t>(i)] = slot_at(neighbour(at[s], i), lattice);
+  }
+  /// Finds out which blocks the homes' particles scattered to.
+  void find_touched(const std::vector<HomeBlock>& homes) {
+    touched.assign(at.size(), 0);
+    for (const HomeBlock& home : homes) {
+      const auto first = [&](int axis) { return home.low[axis] > 0 ? 1 : 0; };  // the tile begins one node before the home
+      for (int x = first(0); x < 3; ++x)
+        for (int y = first(1); y < 3; ++y)
+          for (int z = first(2); z < 3; ++z) touched[static_cast<std::size_t>(home.neighbour[x * 9 + y * 3 + z])] = 1;
+    }
   }
   /// Slot of a block, or -1.
   std::int32_t slot_at(const BlockIndex& b, const Lattice& lattice) const {

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "solver/boundary/vector3.h"
+#include "solver/core/parallel.h"
 
 namespace bake {
 
@@ -103,6 +104,14 @@ struct Images {
   int node[4];
 };
 
+/// No node of the block is an image.
+bool is_far_from_faces(const BlockIndex& b, const Lattice& lattice) {
+  const int block[3] = {b.x, b.y, b.z};
+  for (int d = 0; d < 3; ++d)
+    if (4 * block[d] - k_mirrored <= lattice.low_face() || 4 * block[d] + 3 + k_mirrored >= lattice.high_face(d)) return false;
+  return true;
+}
+
 /// A block's own nodes along an axis, and what they are images of. Returns how many.
 int find_images(int block, int axis, const Lattice& lattice, Images (&found)[5]) {
   int count = 0;
@@ -124,12 +133,6 @@ bool any_positive(const Nodes& nodes) {
   return std::any_of(nodes.begin(), nodes.end(), [](auto value) { return value > 0; });
 }
 
-template <class Work>
-void for_each_block(std::size_t count, Work work) {
-#pragma omp parallel for schedule(dynamic, 16)
-  for (std::int64_t s = 0; s < static_cast<std::int64_t>(count); ++s) work(static_cast<std::size_t>(s));
-}
-
 }  // namespace
 
 template <class Real>
@@ -140,21 +143,26 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
   covered_.resize(n);
   surroundings_.resize(n);
   blocks_.assign(n, {});
-  for_each_block(n, [&](std::size_t s) {
+  for_each_parallel(n, 16, [&](std::size_t s) {
+    if (!active.touched[s]) {
+      volume_[s] = k_none;
+      return;
+    }
     for (std::size_t k = 0; k < k_block_nodes; ++k)
       volume_[s][k] = rows[(s * k_block_nodes + k) * static_cast<std::size_t>(row_size) + static_cast<std::size_t>(volume_channel)];
     blocks_[s].has_volume = any_positive(volume_[s]);
   });
-  for_each_block(n, [&](std::size_t s) { mirror(s, active, lattice); });
-  for_each_block(n, [&](std::size_t s) { smooth(s, active, lattice.dx()); });
-  for_each_block(n, [&](std::size_t s) { find_density(s, active, lattice, contacts); });
-  for_each_block(n, [&](std::size_t s) { spread(s, active, air); });
+  for_each_parallel(n, 16, [&](std::size_t s) { mirror(s, active, lattice); });
+  for_each_parallel(n, 16, [&](std::size_t s) { smooth(s, active, lattice.dx()); });
+  for_each_parallel(n, 16, [&](std::size_t s) { find_density(s, active, lattice, contacts); });
+  for_each_parallel(n, 16, [&](std::size_t s) { spread(s, active, air); });
 }
 
 /// Faces of the domain are mirrors, not surfaces: the volume of the mirrored dough is added.
 template <class Real>
 void FreeSurfaceMeasure<Real>::mirror(std::size_t s, const ActiveBlocks& active, const Lattice& lattice) {
   const BlockIndex& b = active.at[s];
+  if (is_far_from_faces(b, lattice)) return;
   Images x[5], y[5], z[5];
   const int xs = find_images(b.x, 0, lattice, x), ys = find_images(b.y, 1, lattice, y), zs = find_images(b.z, 2, lattice, z);
   if (xs == 1 && ys == 1 && zs == 1) return;

@@ -45,14 +45,14 @@ Running begin(const bench::Combination& combination, const CostOptions& options)
 
 Cost describe(const bench::Combination& combination, const Running& running) {
   const auto physics = make_physics<float>(*running.scene);
-  const int row = make_block_kernel<float>(running.scene->grid.kernel, *physics)->row_size();
+  const auto kernel = make_block_kernel<float>(running.scene->grid.kernel, *physics);
   return {combination.name,
           combination.effects,
           physics->column_count,
           physics->scatter_channels,
           physics->gather_channels,
           static_cast<double>(sizeof(float)) * physics->column_count,
-          static_cast<double>(sizeof(float)) * row,
+          static_cast<double>(sizeof(float)) * (kernel->scattered_row() + kernel->gathered_row()),
           running.simulation->dt(),
           {},
           {}};

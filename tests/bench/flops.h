@@ -3,34 +3,34 @@
 // must move for it at least.
 //
 // Transfers, from their formulas, for the quadratic kernel (27 nodes):
-//   gather a channel    value and three derivatives, z then y then x: (54 + 27 + 12) multiply-adds          = 186
-//   scatter a channel   27 multiply-adds with 9 products of weights                                         =  63
-//   with moments        the same, 18 more multiply-adds and 17 operations that make a' + j B_x + k B_y      = 116
-//   weights             before the particle has moved, and after                                            =  50 each
+//   gather a channel    sums of w n and of o w n along z (27 products, 27 sums), then y (18 and 15), then x (9 and 7),
+//                       and three gradients of three operations                                             = 112
+//   scatter a channel   27 multiply-adds                                                                    =  54
+//   with moments        the same, 6 operations that make a', 26 sums that make a' + j B_x + k B_y + l B_z   =  86
+//   weights             before the particle has moved; after, with 36 products                              =  50 and 86
 // The law, from the machine code (g++ 12, AVX-512, single precision) of Model::advance: the packed operations of a tile, each counted
 // once but the body of Newton's iteration three times, as differences of models that differ in one effect.
 // The double precision's longer series are not counted as useful.
 //
 // Bytes: what would have to move if the caches held nothing from one step to the next and everything within a step. A particle's
-// columns are read and written once. A node's row is read and written by the grid update, read by the gather, cleared, then read and
-// written by the scatter: six times. What a block's neighbours read again is taken to come from the caches.
+// columns are read and written once. A node's scattered row is read and cleared by the grid update, then read and written by the scatter;
+// its gathered row is written by the update and read by the gather. What a block's neighbours read again is taken to come from the caches.
 #pragma once
 
 #include "solver/effects/physics.h"
+#include "solver/grid/block_kernel.h"
 #include "solver/scene/scene.h"
 
 namespace bake::bench {
 
-inline constexpr double k_weights_flops = 50;
-
 template <class Real>
 double gather_flops(const Physics<Real>& physics) {
-  return 186 * physics.gather_channels + k_weights_flops;
+  return 112 * physics.gather_channels + 50;
 }
 
 template <class Real>
 double scatter_flops(const Physics<Real>& physics) {
-  return 63 * (physics.scatter_channels - physics.moment_channels) + 116 * physics.moment_channels + k_weights_flops;
+  return 54 * (physics.scatter_channels - physics.moment_channels) + 86 * physics.moment_channels + 86;
 }
 
 inline double law_flops(const Scene& scene) {
@@ -53,7 +53,9 @@ double flops_per_particle_step(const Physics<Real>& physics, const Scene& scene)
 /// Horner's scheme but the first, the sum 26, the norm that is looked at 12.
 constexpr double polynomial_flops(int terms) { return 30 + 27 + 6 * (terms - 1) + 26 + 12; }
 
-/// Times that a node's row is read or written in a step.
-inline constexpr double k_row_passes = 6;
+template <class Real>
+double bytes_moved_per_node(const BlockKernel<Real>& kernel) {
+  return static_cast<double>(sizeof(Real)) * (4 * kernel.scattered_row() + 2 * kernel.gathered_row());
+}
 
 }  // namespace bake::bench

@@ -65,10 +65,9 @@ class Passes {
     std::copy_n(store_.data.data(), store_.data.size(), kept_.data());
     for (const Tile& tile : store_.tiles) counts_.push_back(tile.count);
     active_.surround(store_.blocks, engine_.lattice());
-    for (auto* grid : {&gathered_, &scattered_}) {
-      grid->resize_and_forget(active_.at.size() * k_block_nodes * static_cast<std::size_t>(kernel_->row_size()));
-      std::fill_n(grid->data(), grid->size(), Real(0));
-    }
+    const std::size_t nodes = active_.at.size() * k_block_nodes;
+    gathered_.resize_and_forget(nodes * static_cast<std::size_t>(kernel_->gathered_row()));
+    scattered_.resize_and_forget(nodes * static_cast<std::size_t>(kernel_->scattered_row()));
     contacts_.prepare(engine_.time());
     pass(still_);  // blocks learn which nodes they touch
   }
@@ -77,7 +76,7 @@ class Passes {
   double nodes_per_particle() const { return static_cast<double>(active_.at.size() * k_block_nodes) / particles(); }
   const Physics<Real>& physics() const { return *physics_; }
   const Scene& scene() const { return scene_; }
-  int row_size() const { return kernel_->row_size(); }
+  const BlockKernel<Real>& kernel() const { return *kernel_; }
 
   // Each gives seconds.
   double gather_s() {
@@ -150,12 +149,14 @@ void time_part(benchmark::State& state, Part part, double peak_GFLOPs, double tr
   }
   omp_set_num_threads(all);
   const Physics<Real>& physics = passes.physics();
-  const double rows = passes.row_size() * passes.nodes_per_particle();
   // the gather reads the columns and the rows, the scatter reads and writes rows, the law writes the columns
   const double flops = part == Part::gather    ? gather_flops(physics)
                        : part == Part::scatter ? scatter_flops(physics)
                                                : law_flops(passes.scene());
-  const double numbers = part == Part::gather ? physics.column_count + rows : part == Part::scatter ? 2 * rows : physics.column_count;
+  const double nodes = passes.nodes_per_particle();
+  const double numbers = part == Part::gather    ? physics.column_count + nodes * passes.kernel().gathered_row()
+                         : part == Part::scatter ? 2 * nodes * passes.kernel().scattered_row()
+                                                 : physics.column_count;
   const double rate = passes.particles() * static_cast<double>(state.iterations()) / seconds;
   state.counters["M/s"] = 1e-6 * rate;
   state.counters["ns"] = 1e9 / rate;
@@ -186,7 +187,7 @@ void time_grid(benchmark::State& state, int threads, double triad_GB_per_s) {
   const PhaseSeconds& after = engine.phases();
   const double grid = after.grid - before.grid, transfer = after.transfer - before.transfer, ordering = after.ordering - before.ordering;
   const auto nodes = static_cast<double>(engine.active_nodes()), particles = static_cast<double>(engine.particles());
-  const double bytes = 2. * sizeof(Real) * engine.row_size();  // a node's row is read and written
+  const double bytes = sizeof(Real) * (2. * engine.scattered_row() + engine.gathered_row());  // one row is read and cleared, one written
   const double rate = nodes * static_cast<double>(state.iterations()) / grid;
   state.counters["Mnodes/s"] = 1e-6 * rate;
   state.counters["ns"] = 1e9 * nodes / particles / rate;

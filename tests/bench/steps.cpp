@@ -34,7 +34,7 @@ struct Running {
   std::string name;
   Scene scene;
   std::unique_ptr<Simulation> simulation;
-  double flops, bytes_per_particle, bytes_per_node, bytes_moved, flowing;
+  double flops, bytes_per_particle, bytes_per_node, bytes_moved_per_node, bytes_moved, flowing;
 };
 
 void take_steps(Simulation& simulation, int steps) {
@@ -47,7 +47,9 @@ void describe(Running& running) {
   const auto physics = make_physics<Real>(running.scene);
   running.flops = flops_per_particle_step(*physics, running.scene);
   running.bytes_per_particle = static_cast<double>(sizeof(Real)) * physics->column_count;
-  running.bytes_per_node = static_cast<double>(sizeof(Real)) * make_block_kernel<Real>(running.scene.grid.kernel, *physics)->row_size();
+  const auto kernel = make_block_kernel<Real>(running.scene.grid.kernel, *physics);
+  running.bytes_per_node = static_cast<double>(sizeof(Real)) * (kernel->scattered_row() + kernel->gathered_row());
+  running.bytes_moved_per_node = bytes_moved_per_node(*kernel);
 }
 
 double nodes_per_particle(const Simulation& simulation) {
@@ -66,7 +68,7 @@ Running& running(const Subject& subject) {
     describe<double>(now);
   now.simulation = Simulation::begin(now.scene);
   take_steps(*now.simulation, subject.warm_up);
-  now.bytes_moved = 2 * now.bytes_per_particle + k_row_passes * now.bytes_per_node * nodes_per_particle(*now.simulation);
+  now.bytes_moved = 2 * now.bytes_per_particle + now.bytes_moved_per_node * nodes_per_particle(*now.simulation);
   now.flowing = flowing_share(*now.simulation, now.scene);
   return now;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver/core/lanes.h"
+#include "solver/core/rows.h"
 
 #include <gtest/gtest.h>
 
@@ -36,6 +36,27 @@ TYPED_TEST(Lanes, TransposeSwapsRowsAndColumns) {
   transpose(rows);
   for (int i = 0; i < W; ++i)
     for (int j = 0; j < W; ++j) EXPECT_EQ(rows[i][j], static_cast<TypeParam>(100 * j + i)) << i << " " << j;
+}
+
+template <int R, class Real>
+void expect_rows_become_lanes_and_back() {
+  constexpr int W = k_width<Real>;
+  alignas(64) Real rows[W * R], again[W * R];
+  for (int l = 0; l < W; ++l)
+    for (int c = 0; c < R; ++c) rows[l * R + c] = static_cast<Real>(100 * l + c);
+  Pack<Real> columns[R];
+  rows_to_lanes<R>(static_cast<const Real*>(rows), columns);
+  for (int l = 0; l < W; ++l)
+    for (int c = 0; c < R; ++c) EXPECT_EQ(columns[c][l], static_cast<Real>(100 * l + c)) << R << ": " << l << " " << c;
+  lanes_to_rows<R>(columns, again);
+  for (int i = 0; i < W * R; ++i) EXPECT_EQ(again[i], rows[i]) << R << ": " << i;
+}
+
+TYPED_TEST(Lanes, RowsBecomeLanesAndBackWhateverTheirLength) {
+  expect_rows_become_lanes_and_back<4, TypeParam>();
+  expect_rows_become_lanes_and_back<8, TypeParam>();
+  expect_rows_become_lanes_and_back<16, TypeParam>();
+  expect_rows_become_lanes_and_back<64, TypeParam>();
 }
 
 TYPED_TEST(Lanes, AnyFindsOneTrueLaneWhereverItIs) {

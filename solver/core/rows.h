@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// Rows: the numbers of one node or one particle side by side, and their turn into lanes of many.
+#pragma once
+
+#include "solver/core/lanes.h"
+
+namespace bake {
+
+/// R numbers in registers: one of R, or several of the machine's own width.
+template <class Real, int R>
+struct Row {
+  static constexpr int k_chunk = R < k_width<Real> ? R : k_width<Real>;
+  static constexpr int k_chunks = R / k_chunk;
+  typedef Real Chunk __attribute__((vector_size(k_chunk * sizeof(Real)), may_alias));
+  Chunk at[k_chunks];
+
+  BAKE_INLINE static Row load(const Real* p) {
+    Row r;
+#pragma GCC unroll 8
+    for (int c = 0; c < k_chunks; ++c) r.at[c] = reinterpret_cast<const Chunk*>(p)[c];
+    return r;
+  }
+  BAKE_INLINE void store(Real* p) const {
+#pragma GCC unroll 8
+    for (int c = 0; c < k_chunks; ++c) reinterpret_cast<Chunk*>(p)[c] = at[c];
+  }
+  BAKE_INLINE static Row zero() {
+    Row r;
+#pragma GCC unroll 8
+    for (int c = 0; c < k_chunks; ++c) r.at[c] = Chunk{};
+    return r;
+  }
+  /// *this += a * s
+  BAKE_INLINE void add(const Row& a, Real s) {
+#pragma GCC unroll 8
+    for (int c = 0; c < k_chunks; ++c) at[c] += a.at[c] * s;
+  }
+  BAKE_INLINE Row operator*(Real s) const {
+    Row r;
+#pragma GCC unroll 8
+    for (int c = 0; c < k_chunks; ++c) r.at[c] = at[c] * s;
+    return r;
+  }
+  /// *this + n a for a small whole number: sums, which leave the multipliers to others.
+  BAKE_INLINE Row plus(int n, const Row& a) const {
+    Row r = *this;
+#pragma GCC unroll 8
+    for (int c = 0; c < k_chunks; ++c)
+      r.at[c] = n == 0 ? r.at[c] : n == -1 ? r.at[c] - a.at[c] : n == 1 ? r.at[c] + a.at[c] : r.at[c] + Real(n) * a.at[c];
+    return r;
+  }
+};
+
+namespace detail {
+template <class V, class Chunk, int... L>
+BAKE_INLINE V widened(Chunk a, std::integer_sequence<int, L...>) {
+  constexpr int R = sizeof(Chunk) / sizeof(a[0]);
+  return __builtin_shufflevector(a, a, (L < R ? L : -1)...);
+}
+template <class Chunk, class V, int... L>
+BAKE_INLINE Chunk narrowed(V a, std::integer_sequence<int, L...>) {
+  return __builtin_shufflevector(a, a, L...);
+}
+}  // namespace detail
+
+/// From W rows of R numbers (aligned, one after another) to R packs of lanes. R: a power of two.
+template <int R, class Real>
+BAKE_INLINE void rows_to_lanes(const Real* rows, Lanes<Real>* columns) {
+  constexpr int W = k_width<Real>, width = Row<Real, R>::k_chunk;
+  using Chunk = typename Row<Real, R>::Chunk;
+  for (int c = 0; c < R; c += width) {
+    Lanes<Real> square[W];
+    for (int l = 0; l < W; ++l) {
+      const Chunk part = *reinterpret_cast<const Chunk*>(rows + l * R + c);
+      if constexpr (width == W)
+        square[l] = part;
+      else
+        square[l] = detail::widened<Lanes<Real>>(part, std::make_integer_sequence<int, W>{});
+    }
+    transpose(square);
+    for (int l = 0; l < width; ++l) columns[c + l] = square[l];
+  }
+}
+
+/// The way back.
+template <int R, class Real>
+BAKE_INLINE void lanes_to_rows(const Lanes<Real>* columns, Real* rows, int stride = R) {
+  constexpr int W = k_width<Real>, width = Row<Real, R>::k_chunk;
+  using Chunk = typename Row<Real, R>::Chunk;
+  for (int c = 0; c < R; c += width) {
+    Lanes<Real> square[W];
+    for (int l = 0; l < W; ++l) square[l] = columns[c + l % width];  // what is beyond the row is not used
+    transpose(square);
+    for (int l = 0; l < W; ++l) {
+      Chunk& part = *reinterpret_cast<Chunk*>(rows + l * stride + c);
+      if constexpr (width == W)
+        part = square[l];
+      else
+        part = detail::narrowed<Chunk>(square[l], std::make_integer_sequence<int, width>{});
+    }
+  }
+}
+
+}  // namespace bake
