@@ -78,21 +78,8 @@ Case cooling_sphere() {
   c.full_cells = {12, 16, 24};
   c.knobs = {"step", "kernel", "particles", "precision", "euler", "surface"};
   c.scene_of = [](const Variant& v) {
-    bake::studies::Setting setting;
-    setting.dx = 1. / v.cells;
+    bake::studies::Setting setting = ball_in_air::setting(v.cells, 1);
     setting.end_s = end;
-    setting.low = {-2, -2, -2};
-    setting.high = {2, 2, 2};
-    setting.material = "initial_temperature_C = 1\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
-    setting.tables = R"(
-[oven]
-temperature_C = 0
-exchange_W_per_m2K = 1
-[[body]]
-material = "dough"
-particles_per_cell = 8
-shape = { sphere = { centre_m = [0.011, -0.017, 0.023], radius_m = 1 } }
-)";
     return scene_of(setting, v);
   };
   c.measure = [](const Scene& scene) {
@@ -107,8 +94,7 @@ shape = { sphere = { centre_m = [0.011, -0.017, 0.023], radius_m = 1 } }
       };
       const auto& theta = seen[0]["temperature"];
       std::vector<double> off;
-      for (std::size_t p = 0; p < theta.size(); ++p)
-        off.push_back(theta[p] - exact(length(seen[0].position[p] - Vector3{0.011, -0.017, 0.023})));
+      for (std::size_t p = 0; p < theta.size(); ++p) off.push_back(theta[p] - exact(length(seen[0].position[p] - ball_in_air::centre)));
       return root_mean_square(off);
     });
   };

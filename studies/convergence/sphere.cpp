@@ -4,12 +4,31 @@
 #include <omp.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "studies/convergence/cases.h"
-#include "studies/setting.h"
+#include "studies/convergence/exact.h"
 
 namespace bake::studies {
+
+Setting ball_in_air::setting(double cells_in_radius, double conductivity_W_per_mK) {
+  Setting setting;
+  setting.dx = 1 / cells_in_radius;
+  setting.low = {-2, -2, -2};
+  setting.high = {2, 2, 2};
+  setting.material =
+      fmt::format("initial_temperature_C = 1\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = {}\n", conductivity_W_per_mK);
+  setting.tables = fmt::format(R"(
+[oven]
+temperature_C = 0
+exchange_W_per_m2K = 1
+[[body]]
+material = "dough"
+particles_per_cell = 8
+shape = {{ sphere = {{ centre_m = [{}, {}, {}], radius_m = 1 }} }}
+)",
+                               centre[0], centre[1], centre[2]);
+  return setting;
+}
 
 std::vector<Errors> lumped_sphere(bool quick) {
   constexpr double biot = 1e-3, dt = 0.01;  // rho c = beta = R = 1
@@ -27,25 +46,10 @@ std::vector<Errors> lumped_sphere(bool quick) {
   rate.refined = area.refined = "cells in the radius";
   rate.refinements = area.refinements = quick ? std::vector<double>{4, 6, 9, 13} : std::vector<double>{4, 6, 9, 13, 20};
   for (const double n : rate.refinements) {
-    Setting setting;
+    Setting setting = ball_in_air::setting(n, 1 / biot);
     setting.threads = omp_get_num_procs();
-    setting.dx = 1 / n;
     setting.end_s = dt;
-    setting.low = {-2, -2, -2};
-    setting.high = {2, 2, 2};
-    setting.material = fmt::format("initial_temperature_C = 1\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = {}\n", 1 / biot);
-    setting.tables = R"(
-[heat]
-integrator = "backward_euler"
-implicit_step_factor = 1e9
-[oven]
-temperature_C = 0
-exchange_W_per_m2K = 1
-[[body]]
-material = "dough"
-particles_per_cell = 8
-shape = { sphere = { centre_m = [0.011, -0.017, 0.023], radius_m = 1 } }
-)";
+    setting.tables += "[heat]\nintegrator = \"backward_euler\"\nimplicit_step_factor = 1e9\n";
     const auto s = setting.begin();
     const double before = total(*s, Total::heat_content), volume = total(*s, Total::volume);
     for (int i = 1; i <= steps; ++i) run_to(*s, i * dt);
