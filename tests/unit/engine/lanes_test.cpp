@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "solver/core/rows.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <random>
+
+#include "solver/core/rows.h"
 
 namespace bake {
 namespace {
