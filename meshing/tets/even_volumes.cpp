@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "meshing/tets/even_volumes.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "meshing/tets/stars.h"
@@ -14,6 +14,12 @@ namespace {
 constexpr double k_pull = 0.1;         ///< to the first place, against the wish for even volumes
 constexpr double k_least_share = 0.5;  ///< of a tetrahedron's first volume
 constexpr int k_halvings = 4;          ///< of a step, before it is given up
+
+/// The solution of a symmetric system by its cofactors: the same on every machine.
+Vector3 solve(const std::array<Vector3, 3>& a, const Vector3& b) {
+  const Vector3 c0 = cross(a[1], a[2]), c1 = cross(a[2], a[0]), c2 = cross(a[0], a[1]);
+  return (1 / dot(a[0], c0)) * (b[0] * c0 + b[1] * c1 + b[2] * c2);
+}
 
 class Evening {
  public:
@@ -33,7 +39,7 @@ class Evening {
   /// dV_v / dx of an inner vertex v when another one moves.
   struct Slope {
     std::int32_t vertex;
-    Eigen::Vector3d gradient;
+    Vector3 gradient;
   };
 
   void find_slopes(std::int32_t moving) {
@@ -46,8 +52,8 @@ class Evening {
       for (const int k : face) {
         if (outer_[tet[k]]) continue;
         auto slope = std::find_if(slopes_.begin(), slopes_.end(), [&](const Slope& s) { return s.vertex == tet[k]; });
-        if (slope == slopes_.end()) slope = slopes_.insert(slope, {tet[k], Eigen::Vector3d::Zero()});
-        slope->gradient -= Eigen::Vector3d(n[0], n[1], n[2]) / 24;
+        if (slope == slopes_.end()) slope = slopes_.insert(slope, {tet[k], {0, 0, 0}});
+        slope->gradient = slope->gradient - (1.0 / 24) * n;
       }
     }
   }
@@ -61,21 +67,26 @@ class Evening {
 
   void move(std::int32_t v) {
     find_slopes(v);
-    const Eigen::Map<const Eigen::Vector3d> first(first_[v].data());
-    Eigen::Map<Eigen::Vector3d> x(mesh_.points[v].data());
-    const double pull = k_pull * std::pow(wanted_, 4.0 / 3);
-    Eigen::Matrix3d a = pull * Eigen::Matrix3d::Identity();
-    Eigen::Vector3d b = pull * (first - x);
+    Point& x = mesh_.points[v];
+    const double pull = k_pull * wanted_ * std::cbrt(wanted_);
+    std::array<Vector3, 3> a{{{pull, 0, 0}, {0, pull, 0}, {0, 0, pull}}};
+    Vector3 b = pull * (first_[v] - x);
     for (const Slope& s : slopes_) {
-      a += s.gradient * s.gradient.transpose();
-      b += s.gradient * (wanted_ - volumes_[s.vertex]);
+      for (int i = 0; i < 3; ++i) a[i] = a[i] + s.gradient[i] * s.gradient;
+      b = b + (wanted_ - volumes_[s.vertex]) * s.gradient;
     }
-    Eigen::Vector3d step = a.ldlt().solve(b);
-    const Eigen::Vector3d old = x;
+    const Point old = x;
+    Vector3 step = solve(a, b);
     x = old + step;
-    for (int i = 0; i < k_halvings && !keeps_shapes(v); ++i) x = old + (step *= 0.5);
-    if (!keeps_shapes(v)) x = old, step.setZero();
-    for (const Slope& s : slopes_) volumes_[s.vertex] += s.gradient.dot(step);
+    for (int i = 0; i < k_halvings && !keeps_shapes(v); ++i) {
+      step = 0.5 * step;
+      x = old + step;
+    }
+    if (!keeps_shapes(v)) {
+      step = {0, 0, 0};
+      x = old;
+    }
+    for (const Slope& s : slopes_) volumes_[s.vertex] += dot(s.gradient, step);
   }
 
   TetMesh& mesh_;
