@@ -309,25 +309,28 @@ void Engine<Real>::book_water(std::size_t slot, Bookings& booked) const {
   const double inertia = physics_->moves ? scene_.of<Motion>().inertia_scale : 0;
   const auto add = [&](Entry entry, double amount) { booked[static_cast<std::size_t>(entry)] += amount; };
   const Point origin = lattice_.origin(active_.at[slot]);
+  double moved_warmth = 0, vapour_warmth = 0;  // [kg C]
+  Vector3 moved_momentum{0, 0, 0};
   for (int n = 0; n < k_block_nodes; ++n) {
     const std::size_t node = slot * k_block_nodes + static_cast<std::size_t>(n);
     const auto moved = static_cast<double>(moved_water_[node]), evaporated = static_cast<double>(evaporated_water_[node]);
-    if (moved == 0 && evaporated == 0) continue;
     const Real* row = gathered_.data() + node * static_cast<std::size_t>(gathered_row());
     if (physics_->has_heat) {
-      const double heat = alpha_w * static_cast<double>(row[physics_->temperature_channel]);
-      add(Entry::vapour_heat, heat * evaporated);
-      add(Entry::remapped_heat, -heat * moved);
+      const auto theta = static_cast<double>(row[physics_->temperature_channel]);
+      moved_warmth += moved * theta;
+      vapour_warmth += evaporated * theta;
     }
     if (physics_->moves) {
       const Vector3 v{double(row[0]), double(row[1]), double(row[2])};
-      add(Entry::remapped_x, -inertia * moved * v[0]);
-      add(Entry::remapped_y, -inertia * moved * v[1]);
-      add(Entry::remapped_z, -inertia * moved * v[2]);
-      const Point x = node_position(origin, lattice_.dx(), n);
-      if (evaporated != 0) book_impulse(x, -inertia * evaporated * v, booked);
+      moved_momentum = moved_momentum + moved * v;
+      if (evaporated != 0) book_impulse(node_position(origin, lattice_.dx(), n), -inertia * evaporated * v, booked);
     }
   }
+  add(Entry::vapour_heat, alpha_w * vapour_warmth);
+  add(Entry::remapped_heat, -alpha_w * moved_warmth);
+  add(Entry::remapped_x, -inertia * moved_momentum[0]);
+  add(Entry::remapped_y, -inertia * moved_momentum[1]);
+  add(Entry::remapped_z, -inertia * moved_momentum[2]);
 }
 
 template <class Real>

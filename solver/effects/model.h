@@ -79,8 +79,10 @@ struct Model<Scalar, Effects...>::Particle {
   using V = Lanes<Scalar>;
   V* columns;
   const Constants& k;
-  V carried[Carried::width > 0 ? Carried::width : 1];
-  V stiffness = V{};  ///< d tau / d ln J summed over the effects [Pa]
+  V carried[Carried::width > 0 ? Carried::width : 1];  ///< each is written before it is read: zeros would cost a memset per tile
+  V stiffness = V{};                                   ///< d tau / d ln J summed over the effects [Pa]
+
+  BAKE_INLINE Particle(V* columns_of_tile, const Constants& constants) : columns(columns_of_tile), k(constants) {}
 
   template <class F>
   static constexpr bool stores = Columns::template has<F>;
@@ -216,7 +218,7 @@ Model<Real, Effects...>::Model(const Scene& scene) {
 template <class Real, class... Effects>
 void Model<Real, Effects...>::fill(V* columns, int lane, int material, double volume, const Body& body) const {
   const Constants& k = materials_[static_cast<std::size_t>(material)];
-  Particle p{columns, k, {}};
+  Particle p(columns, k);
   const double theta = body.temperature_C.value_or(static_cast<double>(k.theta_0));
   const double saturation = body.saturation.value_or(k.s_0);
   // Density is that of the mixture at the material's own saturation: a wetter body has more water on the same solid.
@@ -234,7 +236,7 @@ template <class Real, class... Effects>
 void Model<Real, Effects...>::advance(V* columns, int material, const V* gathered, int gather_stride, V* scattered, int scatter_stride,
                                       V* velocity, const Step<Real>& step, Report<Real>& report) const {
   const Constants k = materials_[static_cast<std::size_t>(material)];
-  Particle p{columns, k, {}};
+  Particle p(columns, k);
   const From from{gathered, gather_stride};
   BAKE_FOR_EACH_EFFECT(Effect::gather(p, from, constants, step, report));
   if constexpr (Columns::template has<field::VolumeRatio>)
@@ -250,7 +252,7 @@ template <class Real, class... Effects>
 void Model<Real, Effects...>::start(V* columns, int material, const V* velocity, const V* affine, V* scattered, int scatter_stride,
                                     const Step<Real>& step, Report<Real>& report) const {
   const Constants k = materials_[static_cast<std::size_t>(material)];
-  Particle p{columns, k, {}};
+  Particle p(columns, k);
   for (V& c : p.carried) c = V{};
   if constexpr (Particle::template has<field::Velocity>) {
     for (int i = 0; i < 3; ++i) p[field::v][i] = velocity[i];
@@ -344,7 +346,7 @@ template <class Real, class... Effects>
 typename Model<Real, Effects...>::V Model<Real, Effects...>::conductance(const V* columns, int material) const {
   if constexpr (Columns::template has<field::Temperature>) {
     const Constants& k = materials_[static_cast<std::size_t>(material)];
-    Particle p{const_cast<V*>(columns), k, {}};
+    Particle p(const_cast<V*>(columns), k);
     return std::get<ConstantsOf<Heat>>(k.effects).kappa * p.volume();
   }
   return V{};

@@ -170,7 +170,7 @@ void FreeSurfaceMeasure<Real>::mirror(std::size_t s, const ActiveBlocks& active,
   mirrored_[s].fill(0);
   const auto add = [&](const Images& ix, const Images& iy, const Images& iz) {
     const std::int32_t slot = active.slot_at({ix.block, iy.block, iz.block}, lattice);
-    if (slot < 0) return;
+    if (slot < 0 || !blocks_[static_cast<std::size_t>(slot)].has_volume) return;
     const Nodes& V = volume_[static_cast<std::size_t>(slot)];
     for (int k = 0; k < k_block_nodes; ++k) {
       const int from[3] = {ix.node[k >> 4], iy.node[k >> 2 & 3], iz.node[k & 3]};
