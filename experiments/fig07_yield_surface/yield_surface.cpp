@@ -9,6 +9,7 @@
 
 #include "experiments/fig14_return_map/stress_state.h"
 #include "experiments/fig15_bread/dough.h"
+#include "solver/effects/plasticity.h"
 
 namespace bake {
 namespace {

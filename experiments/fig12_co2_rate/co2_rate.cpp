@@ -8,6 +8,7 @@
 
 #include "experiments/fig15_bread/dough.h"
 #include "solver/baker/simulation.h"
+#include "solver/effects/leavening.h"
 
 namespace bake {
 namespace {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "solver/core/symmetric.h"
+#include "solver/effects/elasticity.h"
 #include "solver/effects/plasticity.h"
 #include "solver/scene/scene.h"
 

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "solver/boundary/shapes.h"
+#include "solver/effects/motion.h"
 #include "solver/scene/reader.h"
 
 namespace bake {
@@ -17,7 +18,7 @@ Scene bread_scene(const std::vector<std::string>& overrides) {
 void hold_block(Scene& scene, const Curve& held) {
   scene.run.precision = Precision::double_precision;
   scene.time.largest_step_s = held.points.back().at / 1000;
-  std::get<Motion::Settings>(scene.settings).inertia_scale = 1e6;  // nothing moves: no sound has to be followed
+  scene.settings.get<Motion::Settings>().inertia_scale = 1e6;  // nothing moves: no sound has to be followed
   scene.grid.dx_m = 0.1;
   scene.domain.min_m = {-0.5, -0.5, -0.5};
   scene.domain.max_m = {0.5, 0.5, 0.5};

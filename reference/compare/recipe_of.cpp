@@ -2,6 +2,7 @@
 #include "reference/compare/recipe_of.h"
 
 #include "solver/boundary/scripted.h"
+#include "solver/effects/all_effects.h"
 
 namespace bake {
 

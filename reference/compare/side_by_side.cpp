@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reference/compare/recipe_of.h"
+#include "solver/effects/all_effects.h"
 #include "solver/particles/fields.h"
 
 namespace bake {
@@ -13,7 +14,7 @@ namespace {
 
 /// Conjugate gradients must not stop early: what is compared is the step, not where an iteration ends.
 Scene with_exact_conduction(Scene scene) {
-  std::get<Heat::Settings>(scene.settings).tolerance = 1e-15;
+  scene.settings.get<Heat::Settings>().tolerance = 1e-15;
   return scene;
 }
 

@@ -8,6 +8,9 @@
 
 #include "solver/boundary/vector3.h"
 #include "solver/core/parallel.h"
+#include "solver/effects/heat.h"
+#include "solver/effects/motion.h"
+#include "solver/effects/water.h"
 #include "solver/io/progress.h"
 #include "solver/particles/fields.h"
 

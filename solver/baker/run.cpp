@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/baker/simulation.h"
+#include "solver/effects/motion.h"
 #include "solver/io/checkpoint.h"
 #include "solver/io/ledger_file.h"
 #include "solver/io/progress.h"

@@ -8,6 +8,7 @@
 #include "solver/baker/engine.h"
 #include "solver/baker/fill_scene.h"
 #include "solver/boundary/vector3.h"
+#include "solver/effects/water.h"
 #include "solver/particles/fields.h"
 #include "solver/scene/scene.h"
 

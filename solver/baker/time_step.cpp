@@ -2,6 +2,8 @@
 #include "solver/baker/time_step.h"
 
 #include "solver/boundary/vector3.h"
+#include "solver/effects/heat.h"
+#include "solver/effects/motion.h"
 #include "solver/scene/scene.h"
 
 namespace bake {

@@ -39,7 +39,7 @@ struct Elasticity {
     Real lambda, mu, bulk;  ///< Lame's constants and the bulk modulus [Pa]
     template <class Scene, class Substance>
     Constants(const Scene&, const Substance& substance) {
-      const auto& m = std::get<Material>(substance.effects);
+      const auto& m = substance.effects.template get<Material>();
       const double E = m.young_modulus_Pa, nu = m.poisson_ratio;
       lambda = static_cast<Real>(E * nu / ((1 + nu) * (1 - 2 * nu)));
       mu = static_cast<Real>(E / (2 * (1 + nu)));

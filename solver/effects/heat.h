@@ -67,10 +67,10 @@ struct Heat {
     bool implicit, published_expansion;
     template <class Scene, class Substance>
     Constants(const Scene& scene, const Substance& substance) : theta_0(static_cast<Real>(substance.initial_temperature_C)) {
-      const auto& m = std::get<Material>(substance.effects);
+      const auto& m = substance.effects.template get<Material>();
       solid = static_cast<Real>(m.specific_heat_J_per_kgK);
       kappa = static_cast<Real>(m.conductivity_W_per_mK);
-      const auto& settings = std::get<Settings>(scene.settings);
+      const auto& settings = scene.settings.template get<Settings>();
       water = static_cast<Real>(settings.water_specific_heat_J_per_kgK);
       implicit = settings.integrator == Integrator::backward_euler;
       published_expansion = settings.expansion_form == Form::published;
@@ -81,7 +81,7 @@ struct Heat {
   };
 
   template <class P>
-  static void fill(P& p, int lane, double theta) {
+  static void fill(P& p, int lane, double theta, double) {
     p[field::theta][lane] = p[field::theta_peak][lane] = static_cast<typename P::Real>(theta);
   }
 

@@ -70,8 +70,8 @@ struct Leavening {
     bool finite, published, published_porosity, open;
     template <class Scene, class Substance>
     Constants(const Scene& scene, const Substance& substance) {
-      const auto& m = std::get<Material>(substance.effects);
-      const auto& settings = std::get<Settings>(scene.settings);
+      const auto& m = substance.effects.template get<Material>();
+      const auto& settings = scene.settings.template get<Settings>();
       peak_rate = static_cast<Real>(m.production_mol_per_kgs * substance.density_kg_per_m3);
       theta_r = static_cast<Real>(m.peak_temperature_C);
       inverse_width = static_cast<Real>(1 / m.temperature_width_K);
@@ -86,12 +86,12 @@ struct Leavening {
                                (k_gas_constant * (substance.initial_temperature_C + 273.15)));
       published = settings.form == Form::published;
       open = settings.pores == Pores::open;
-      published_porosity = std::get<Plasticity::Settings>(scene.settings).porosity_form == Form::published;
+      published_porosity = scene.settings.template get<Plasticity::Settings>().porosity_form == Form::published;
     }
   };
 
   template <class P>
-  static void fill(P& p, int lane, double share) {
+  static void fill(P& p, int lane, double, double share) {
     p[field::nu][lane] = 0;
     p[field::c][lane] = static_cast<typename P::Real>(share);
   }

@@ -3,7 +3,7 @@
 // and of no others.
 //
 // An effect may define any of these static functions; the model calls those that are there, effect by effect:
-//     fill     start values of its columns
+//     fill     start values of its columns, from a temperature and a share of leavener
 //     gather   from the nodes to the particle, state advanced to t + dt
 //     stress   its part of the mixture's Kirchhoff stress, and its stiffness
 //     scatter  what the particle gives to the nodes
@@ -15,10 +15,11 @@
 #include <bit>
 #include <tuple>
 
-#include "solver/effects/flip.h"
-#include "solver/effects/free_surface.h"
+#include "solver/effects/heat.h"
 #include "solver/effects/model_list.h"
+#include "solver/effects/motion.h"
 #include "solver/effects/physics.h"
+#include "solver/effects/water.h"
 #include "solver/scene/scene.h"
 
 namespace bake {
@@ -226,10 +227,7 @@ void Model<Real, Effects...>::fill(V* columns, int lane, int material, double vo
   p[field::m_s][lane] = static_cast<Real>(volume * (k.solid_density - k.water_per_saturation * k.s_0));
   if constexpr (Columns::template has<field::WaterMass>)
     p[field::m_w][lane] = static_cast<Real>(volume * k.water_per_saturation * saturation);
-  if constexpr (Columns::template has<field::VolumeRatio>) Motion::fill(p, lane);
-  if constexpr (Columns::template has<field::PlasticVolumeRatio>) Plasticity::fill(p, lane);
-  if constexpr (Columns::template has<field::Temperature>) Heat::fill(p, lane, theta);
-  if constexpr (Columns::template has<field::Leavener>) Leavening::fill(p, lane, body.leavener);
+  BAKE_FOR_EACH_EFFECT(Effect::fill(p, lane, theta, body.leavener));
 }
 
 template <class Real, class... Effects>

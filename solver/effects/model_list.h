@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: MIT
 // The combinations of effects that are compiled, each for single and double precision. A scene gets the one that has just the
-// effects it lists. To add one, add a line; each line becomes a file of its own in the build (BAKE_MODELS in CMakeLists.txt).
+// effects it lists. To add one, add a line; each line becomes a file of its own in the build (solver/CMakeLists.txt), which includes the
+// effects that the line names and no others.
 #pragma once
 
 #include <memory>
 #include <tuple>
 
-#include "solver/effects/elasticity.h"
-#include "solver/effects/flip.h"
-#include "solver/effects/free_surface.h"
-#include "solver/effects/heat.h"
-#include "solver/effects/leavening.h"
-#include "solver/effects/motion.h"
-#include "solver/effects/moving_water.h"
 #include "solver/effects/physics.h"
-#include "solver/effects/plasticity.h"
-#include "solver/effects/water.h"
-#include "solver/scene/scene.h"
 
 namespace bake {
+
+struct Motion;
+struct FlipMemory;
+struct FreeSurface;
+struct Heat;
+struct Water;
+struct MovingWater;
+struct Elasticity;
+struct Plasticity;
+struct Leavening;
 
 template <class... Effects>
 struct Composition {};

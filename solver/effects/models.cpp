@@ -2,13 +2,18 @@
 #include <algorithm>
 #include <utility>
 
+#include "solver/effects/all_effects.h"
+#include "solver/effects/flip_memory.h"
+#include "solver/effects/free_surface.h"
 #include "solver/effects/model_list.h"
+#include "solver/effects/moving_water.h"
+#include "solver/scene/scene.h"
 
 namespace bake {
 
 namespace {
 
-static_assert(k_compositions == BAKE_MODELS, "BAKE_MODELS in solver/CMakeLists.txt must be the length of Compositions");
+static_assert(k_compositions == BAKE_MODELS, "solver/CMakeLists.txt must find all of Compositions");
 
 template <class Effect, class... Effects>
 constexpr bool in(Composition<Effects...>) {

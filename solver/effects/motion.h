@@ -46,7 +46,7 @@ struct Motion {
     Real affine, flip, inertia;
     template <class Scene, class Substance>
     Constants(const Scene& scene, const Substance&) {
-      const auto& settings = std::get<Settings>(scene.settings);
+      const auto& settings = scene.settings.template get<Settings>();
       affine = settings.transfer == Transfer::apic;
       flip = settings.transfer == Transfer::flip ? static_cast<Real>(settings.flip_blend) : Real(0);
       inertia = static_cast<Real>(settings.inertia_scale);
@@ -54,7 +54,7 @@ struct Motion {
   };
 
   template <class P>
-  static void fill(P& p, int lane) {
+  static void fill(P& p, int lane, double, double) {
     p[field::J][lane] = 1;
   }
 

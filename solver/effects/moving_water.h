@@ -21,9 +21,9 @@ struct MovingWater {
     bool published;
     template <class Scene, class Substance>
     Constants(const Scene& scene, const Substance&) {
-      heat = static_cast<Real>(std::get<Heat::Settings>(scene.settings).water_specific_heat_J_per_kgK);
-      inertia = static_cast<Real>(std::get<Motion::Settings>(scene.settings).inertia_scale);
-      published = std::get<Water::Settings>(scene.settings).form == Form::published;
+      heat = static_cast<Real>(scene.settings.template get<Heat::Settings>().water_specific_heat_J_per_kgK);
+      inertia = static_cast<Real>(scene.settings.template get<Motion::Settings>().inertia_scale);
+      published = scene.settings.template get<Water::Settings>().form == Form::published;
     }
   };
 

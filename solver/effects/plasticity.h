@@ -64,7 +64,7 @@ struct Plasticity {
       const Elasticity::Constants<Real> elastic(scene, substance);
       bulk = elastic.bulk;
       mu = elastic.mu;
-      const auto& m = std::get<Material>(substance.effects);
+      const auto& m = substance.effects.template get<Material>();
       for (int i = 0; i < 4; ++i) {
         theta[i] = static_cast<Real>(m.temperatures_C[i]);
         tau_y[i] = static_cast<Real>(m.yield_stress_Pa[i]);
@@ -74,14 +74,14 @@ struct Plasticity {
         tau_y_slope[i] = (tau_y[i + 1] - tau_y[i]) / (theta[i + 1] - theta[i]);
         eta_slope[i] = (eta[i + 1] - eta[i]) / (theta[i + 1] - theta[i]);
       }
-      const auto& settings = std::get<Settings>(scene.settings);
+      const auto& settings = scene.settings.template get<Settings>();
       quadratic = settings.norm == Norm::quadratic;
       published_porosity = settings.porosity_form == Form::published;
     }
   };
 
   template <class P>
-  static void fill(P& p, int lane) {
+  static void fill(P& p, int lane, double, double) {
     p[field::J_P][lane] = 1;
   }
 

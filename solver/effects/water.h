@@ -57,13 +57,13 @@ struct Water {
     Real rho_w, K, beta_w, c_hat, s_0, heat, inertia;
     template <class Scene, class Substance>
     Constants(const Scene& scene, const Substance& substance) : s_0(static_cast<Real>(substance.initial_saturation)) {
-      const auto& m = std::get<Material>(substance.effects);
+      const auto& m = substance.effects.template get<Material>();
       rho_w = static_cast<Real>(m.water_density_kg_per_m3);
       K = static_cast<Real>(m.diffusivity_m2_per_sK);
       beta_w = static_cast<Real>(m.evaporation_kg_per_m2sK);
       c_hat = static_cast<Real>(m.pressure_Pa);
-      heat = static_cast<Real>(std::get<Heat::Settings>(scene.settings).water_specific_heat_J_per_kgK);
-      inertia = static_cast<Real>(std::get<Motion::Settings>(scene.settings).inertia_scale);
+      heat = static_cast<Real>(scene.settings.template get<Heat::Settings>().water_specific_heat_J_per_kgK);
+      inertia = static_cast<Real>(scene.settings.template get<Motion::Settings>().inertia_scale);
     }
   };
 

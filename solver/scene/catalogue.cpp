@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "solver/boundary/shapes.h"
+#include "solver/effects/all_effects.h"
 #include "solver/scene/json_value.h"
 #include "solver/scene/layout.h"
 #include "solver/scene/resolved.h"

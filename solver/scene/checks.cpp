@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include "solver/effects/leavening.h"
+#include "solver/effects/plasticity.h"
+#include "solver/effects/water.h"
 #include "solver/scene/nearest.h"
 
 namespace bake {

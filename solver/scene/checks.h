@@ -2,6 +2,7 @@
 // What must hold between several values of a scene. Each value by itself has been checked when it was read.
 #pragma once
 
+#include "solver/effects/leavening.h"
 #include "solver/scene/entry.h"
 #include "solver/scene/scene.h"
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "solver/boundary/vector3.h"
+#include "solver/effects/all_effects.h"
 #include "solver/scene/scene.h"
 
 namespace bake {

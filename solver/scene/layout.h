@@ -73,19 +73,6 @@ inline constexpr const char* k_union = "union";
 inline constexpr const char* k_intersection = "intersection";
 inline constexpr const char* k_difference = "difference";
 
-/// Calls `visit.template operator()<Effect>()` for every effect in the order of AllEffects.
-template <class Visit>
-void for_each_effect(Visit visit) {
-  [&]<class... Effect>(std::tuple<Effect...>*) { (visit.template operator()<Effect>(), ...); }(static_cast<AllEffects*>(nullptr));
-}
-
-/// Names of all effects, in the order of AllEffects.
-inline std::vector<std::string> effect_names() {
-  std::vector<std::string> names;
-  for_each_effect([&]<class Effect>() { names.emplace_back(Effect::name); });
-  return names;
-}
-
 /// Names of all tables and lists but those of effects.
 inline std::vector<std::string> table_names() {
   std::vector<std::string> names;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "solver/effects/all_effects.h"
 #include "solver/scene/checks.h"
 #include "solver/scene/layout.h"
 #include "solver/scene/nearest.h"
@@ -57,8 +58,8 @@ template <class Effect>
 void read_settings(const SceneEntry& root, Scene& scene) {
   using Settings = typename Effect::Settings;
   const SceneEntry entry = root.find(Effect::name).value_or(root.absent_table(Effect::name));
-  std::get<Settings>(scene.settings) = read_table<Settings>(entry, demand_of(Effect::name, scene));
-  check(entry, std::get<Settings>(scene.settings), scene);
+  scene.settings.get<Settings>() = read_table<Settings>(entry, demand_of(Effect::name, scene));
+  check(entry, scene.settings.get<Settings>(), scene);
 }
 
 template <class T>
@@ -78,7 +79,7 @@ Material read_list_member<Material>(const SceneEntry& entry, const Scene& scene)
   Material material;
   read_members(entry, material, Demand::required_keys);
   for_each_effect([&]<class Effect>() {
-    auto& values = std::get<typename Effect::Material>(material.effects);
+    auto& values = material.effects.template get<typename Effect::Material>();
     read_members(entry, values, demand_of(Effect::name, scene));
   });
   return material;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "solver/effects/all_effects.h"
 #include "solver/scene/json_value.h"
 #include "solver/scene/layout.h"
 
@@ -33,7 +34,7 @@ nlohmann::json json_list_member(const T& member, const Scene&) {
 template <>
 nlohmann::json json_list_member<Material>(const Material& material, const Scene&) {
   nlohmann::json object = json_members(material);
-  std::apply([&](const auto&... values) { (object.update(json_members(values)), ...); }, material.effects);
+  for_each_effect([&]<class Effect>() { object.update(json_members(of<Effect>(material))); });
   return object;
 }
 

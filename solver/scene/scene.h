@@ -10,28 +10,12 @@
 
 #include "solver/boundary/motion_path.h"
 #include "solver/boundary/shape.h"
-#include "solver/effects/elasticity.h"
-#include "solver/effects/heat.h"
-#include "solver/effects/leavening.h"
-#include "solver/effects/motion.h"
-#include "solver/effects/plasticity.h"
-#include "solver/effects/water.h"
+#include "solver/scene/by_type.h"
 #include "solver/scene/input_error.h"
 #include "solver/scene/parameter.h"
 #include "solver/scene/settings.h"
 
 namespace bake {
-
-/// Every effect there is, in the order in which they act within a step. Adding an effect adds a name here.
-using AllEffects = std::tuple<Motion, Heat, Water, Elasticity, Plasticity, Leavening>;
-
-template <class Effects>
-struct SettingsOf;
-template <class... Effect>
-struct SettingsOf<std::tuple<Effect...>> {
-  using type = std::tuple<typename Effect::Settings...>;
-  using materials = std::tuple<typename Effect::Material...>;
-};
 
 /// [[material]]
 struct Material {
@@ -40,7 +24,7 @@ struct Material {
   double initial_porosity = 0.1;
   double initial_saturation = 0;
   double initial_temperature_C = 20;
-  SettingsOf<AllEffects>::materials effects;  ///< each effect's own values; keys stand directly in [[material]]
+  ByType effects;  ///< each effect's own values; keys stand directly in [[material]]
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"name", &Material::name, "", any_number, "how bodies refer to it", Presence::required},
@@ -182,7 +166,7 @@ struct Emitter {
 struct Scene {
   std::string title;
   std::filesystem::path file;        ///< where it was read from
-  std::vector<std::string> effects;  ///< names, in the order of AllEffects
+  std::vector<std::string> effects;  ///< names, in the order of AllEffects (solver/effects/all_effects.h)
   Quality quality = Quality::paper;
   RunSettings run;
   GridSettings grid;
@@ -190,7 +174,7 @@ struct Scene {
   TimeSettings time;
   SurfaceSettings surface;
   Oven oven;
-  SettingsOf<AllEffects>::type settings;  ///< [motion], [heat], ... one table per effect
+  ByType settings;  ///< [motion], [heat], ... one table per effect
   std::vector<Material> materials;
   std::vector<Body> bodies;
   std::vector<Collider> colliders;
@@ -201,13 +185,13 @@ struct Scene {
   double dx() const { return grid.dx_m * coarsening(quality); }  ///< node distance of this run [m]
   template <class Effect>
   const typename Effect::Settings& of() const {
-    return std::get<typename Effect::Settings>(settings);
+    return settings.get<typename Effect::Settings>();
   }
 };
 
 template <class Effect>
 const typename Effect::Material& of(const Material& material) {
-  return std::get<typename Effect::Material>(material.effects);
+  return material.effects.template get<typename Effect::Material>();
 }
 
 }  // namespace bake

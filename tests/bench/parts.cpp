@@ -8,6 +8,7 @@
 #include "solver/baker/engine.h"
 #include "solver/baker/fill_scene.h"
 #include "solver/core/symmetric.h"
+#include "solver/effects/plasticity.h"
 #include "solver/particles/order.h"
 #include "studies/machines/scenes.h"
 #include "tests/bench/flops.h"

@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/effects/all_effects.h"
 #include "solver/particles/fields.h"
 #include "tests/conservation/dough.h"
 

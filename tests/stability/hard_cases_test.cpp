@@ -4,6 +4,7 @@
 
 #include "solver/baker/engine.h"
 #include "solver/baker/fill_scene.h"
+#include "solver/effects/elasticity.h"
 #include "tests/stability/cruel.h"
 #include "tests/support/temporary_folder.h"
 

@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "solver/effects/elasticity.h"
 #include "solver/effects/heat.h"
 #include "solver/effects/physics.h"
 #include "solver/effects/water.h"

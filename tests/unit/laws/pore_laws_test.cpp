@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Laws of gas, heat and water: what fills the pores.
+#include "solver/effects/elasticity.h"
 #include "solver/effects/heat.h"
 #include "solver/effects/leavening.h"
 #include "solver/effects/physics.h"

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "solver/boundary/shapes.h"
+#include "solver/effects/all_effects.h"
 #include "solver/scene/describe.h"
 #include "solver/scene/layout.h"
 #include "tests/unit/scene/scenes.h"

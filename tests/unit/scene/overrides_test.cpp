@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "solver/effects/heat.h"
 #include "tests/unit/scene/scenes.h"
 
 namespace bake::test {

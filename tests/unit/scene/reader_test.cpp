@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "solver/effects/all_effects.h"
 #include "solver/scene/describe.h"
 #include "solver/scene/layout.h"
 #include "tests/unit/scene/scenes.h"

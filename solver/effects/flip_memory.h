@@ -20,7 +20,7 @@ struct FlipMemory {
     Real inertia;
     template <class Scene, class Substance>
     Constants(const Scene& scene, const Substance&)
-        : inertia(static_cast<Real>(std::get<Motion::Settings>(scene.settings).inertia_scale)) {}
+        : inertia(static_cast<Real>(scene.settings.template get<Motion::Settings>().inertia_scale)) {}
   };
 
   template <class P, class To, class K, class S, class R>
