@@ -47,7 +47,8 @@ nlohmann::json json_of(const ClaimVerdict& v) {
 }
 
 nlohmann::json json_of(const Place& place, const FigureRun& run) {
-  const nlohmann::json description = Results(place.run(run.name)).description(), summary = description["summary"];
+  const nlohmann::json description = Results(place.run(run.name)).description();
+  const nlohmann::json& summary = description["summary"];
   return {{"name", run.name},
           {"scene", run.scene},
           {"set", run.set},

@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 template <class T>
 std::vector<std::string> names_in(const std::vector<T>& list) {
   std::vector<std::string> names;
+  names.reserve(list.size());
   for (const T& one : list) names.push_back(one.name);
   return names;
 }

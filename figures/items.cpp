@@ -96,10 +96,11 @@ Items read_items(const fs::path& root) {
 }
 
 const Item& find_item(const Items& items, const std::string& words, const std::string& kind) {
+  const std::string number = kind + " " + words;
   std::vector<std::string> names;
   for (const Item& item : items.items) {
     const bool is_folder = !words.empty() && words == item.experiment;
-    if (words == item.name || words == item.number || kind + " " + words == item.number || is_folder) return item;
+    if (words == item.name || words == item.number || number == item.number || is_folder) return item;
     names.push_back(item.name);
   }
   throw InputError(fmt::format("unknown {} '{}'; {} (bake list figures)", kind, quotable(words), suggestion(words, names)));

@@ -35,7 +35,8 @@ void replace_mesh(const fs::path& made, const fs::path& mesh) {
 
 /// mesh.hdf in the run's folder.
 fs::path make_mesh(const Place& place, const FigureRun& run, const Scene& scene) {
-  const fs::path folder = place.run(run.name), mesh = folder / "mesh.hdf", aside = folder / "new_mesh.hdf";
+  const fs::path folder = place.run(run.name), aside = folder / "new_mesh.hdf";
+  fs::path mesh = folder / "mesh.hdf";
   const nlohmann::json from{resolved(scene), stamp(find_program("bake-mesh"))};
   if (is_made(mesh, from)) return mesh;
   say(place.options, fmt::format("mesh of {}", run.name));

@@ -30,7 +30,7 @@ std::string last_line(const fs::path& file) {
 
 fs::path find_program(const std::string& name) {
   std::error_code ignored;
-  const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path() / name;
+  fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path() / name;
   if (!fs::exists(program, ignored))
     throw InputError(
         fmt::format("{}: found no such program beside bake, allowed: one built by ./bake figure (cmake -D BAKE_FIGURES=ON)", name));

@@ -37,6 +37,7 @@ Html counts(const Report& report) {
 
 Html overview(const std::vector<ReportedItem>& items, const Report& report) {
   std::vector<std::vector<Html>> rows;
+  rows.reserve(items.size());
   for (const ReportedItem& one : items)
     rows.push_back({element("a", text(one.item->number), fmt::format("href=\"#{}\"", anchor(*one.item))), text(one.item->shows),
                     badge(one.verdict())});

@@ -86,6 +86,7 @@ Html stability_section(const std::filesystem::path& root) {
     map.most = std::max(map.most, edge.at("factor").get<double>());
   }
   std::vector<std::vector<Html>> rows;
+  rows.reserve(maps.size());
   for (const auto& [name, map] : maps)
     rows.push_back({text(name), text(std::to_string(map.count)),
                     text(map.has_limit ? fmt::format("{:.2f} to {:.2f}", map.least, map.most) : "no edge to be found"), badge(map.holds)});

@@ -26,6 +26,7 @@ struct Part {
 
 std::vector<ColourStop> ramp(const std::vector<BrowningStop>& stops) {
   std::vector<ColourStop> ramp;
+  ramp.reserve(stops.size());
   for (const BrowningStop& stop : stops)
     ramp.push_back({static_cast<float>(stop.degree),
                     Colour(static_cast<float>(stop.colour[0]), static_cast<float>(stop.colour[1]), static_cast<float>(stop.colour[2]))});

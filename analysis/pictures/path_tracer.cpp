@@ -328,7 +328,7 @@ void PathTracer::add(TriangleObject object) {
   void* corners =
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(object.triangles[0]), object.triangles.size());
   if (!points || !corners) throw std::bad_alloc();
-  std::memcpy(points, object.vertices.data(), object.vertices.size() * sizeof(Vec3f));
+  std::memcpy(points, reinterpret_cast<const float*>(object.vertices.data()), object.vertices.size() * sizeof(Vec3f));
   std::memcpy(corners, object.triangles.data(), object.triangles.size() * sizeof(object.triangles[0]));
   scene_->attach(geometry);
   scene_->objects.emplace_back(std::move(object));
@@ -340,7 +340,7 @@ void PathTracer::add(SphereObject object) {
   const std::size_t bytes = sizeof(Eigen::Vector4f);
   void* spheres = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, bytes, object.spheres.size());
   if (!spheres) throw std::bad_alloc();
-  std::memcpy(spheres, object.spheres.data(), object.spheres.size() * bytes);
+  std::memcpy(spheres, reinterpret_cast<const float*>(object.spheres.data()), object.spheres.size() * bytes);
   scene_->attach(geometry);
   scene_->objects.emplace_back(std::move(object));
 }

@@ -134,7 +134,7 @@ Camera fitted_camera(const std::vector<Vec3f>& points, const Vec3f& direction, d
   }
   const double d = std::max((left_most + right_most) / (2 * tx), (lowest + highest) / (bottom + top));
   // Along the axis with room to spare: where the picture leaves as much free on either side. Seen from further up, all moves down.
-  const auto centred = [&](double low, double high, const Vec3f& axis, double middle) {
+  const auto centred = [&, &back = back](double low, double high, const Vec3f& axis, double middle) {
     for (int i = 0; i < 40; ++i) {
       const double c = (low + high) / 2;
       double first = k_infinity, last = -k_infinity;

@@ -83,7 +83,7 @@ std::string explained(const std::string& heading, const std::string& meaning) {
   const T fresh{};
   for_each_parameter<T>([&](const auto& parameter) {
     const nlohmann::json value = json_value(fresh.*parameter.member);
-    std::string standard = value.is_null() || value == "" ? "none" : toml_text(value);
+    std::string standard = value.is_null() || value == nlohmann::json("") ? "none" : toml_text(value);
     if (standard.size() > 40) standard = "a ramp";
     text += fmt::format("  {:<26} {:<8} {}; default {}\n", parameter.key, parameter.unit, parameter.meaning, standard);
   });

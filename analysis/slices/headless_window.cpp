@@ -31,7 +31,7 @@ HeadlessWindow::HeadlessWindow() {
                             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
   context_ = eglCreateContext(display_, configurations > 0 ? configuration : nullptr, EGL_NO_CONTEXT, version);
   require(context_ != EGL_NO_CONTEXT, "eglCreateContext");
-  MakeCurrent();
+  HeadlessWindow::MakeCurrent();
   SetReadyForRendering(true);
   SetOffScreenRendering(1);
   SetShowWindow(false);

@@ -12,7 +12,7 @@
 namespace bake {
 
 /// Throws std::runtime_error in New() if there is no such platform.
-class HeadlessWindow : public vtkGenericOpenGLRenderWindow {
+class HeadlessWindow : public vtkGenericOpenGLRenderWindow {  // NOLINT(cppcoreguidelines-virtual-class-destructor): VTK deletes it
  public:
   vtkTypeMacro(HeadlessWindow, vtkGenericOpenGLRenderWindow);
   static HeadlessWindow* New() { VTK_STANDARD_NEW_BODY(HeadlessWindow); }

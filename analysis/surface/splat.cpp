@@ -164,6 +164,7 @@ std::vector<MeshField> fields_at(const std::vector<double>& points, const Partic
   const PointGrid near(particles.positions, reach);
   const std::size_t count = points.size() / 3;
   std::vector<MeshField> result;
+  result.reserve(fields.size());
   for (const MeshField& field : fields)
     result.push_back({field.name, field.unit, field.components, std::vector<double>(count * field.components)});
   std::atomic<std::size_t> strays{0};
