@@ -83,7 +83,8 @@ std::string explained(const std::string& heading, const std::string& meaning) {
   const T fresh{};
   for_each_parameter<T>([&](const auto& parameter) {
     const nlohmann::json value = json_value(fresh.*parameter.member);
-    std::string standard = value.is_null() || value == nlohmann::json("") ? "none" : toml_text(value);
+    const bool is_empty = value.is_null() || (value.is_string() && value.get_ref<const std::string&>().empty());
+    std::string standard = is_empty ? "none" : toml_text(value);
     if (standard.size() > 40) standard = "a ramp";
     text += fmt::format("  {:<26} {:<8} {}; default {}\n", parameter.key, parameter.unit, parameter.meaning, standard);
   });

@@ -31,7 +31,8 @@ void FreeSurfaceMeasure<Real>::measure_published(const ParticleStore<Real>& stor
         near[d] += step;
         block[d] += near[d] < 0 ? -1 : near[d] > 3 ? 1 : 0;
         near[d] &= 3;
-        const std::int32_t neighbour = active.around[slot][static_cast<std::size_t>(block[0] * 9 + block[1] * 3 + block[2])];
+        const int toward = block[0] * 9 + block[1] * 3 + block[2];
+        const std::int32_t neighbour = active.around[slot][static_cast<std::size_t>(toward)];
         if (neighbour < 0 || !filled(static_cast<std::size_t>(neighbour), node_in_block(near[0], near[1], near[2]))) return true;
       }
     return false;
@@ -57,7 +58,7 @@ void FreeSurfaceMeasure<Real>::measure_published(const ParticleStore<Real>& stor
         const int node = static_cast<int>(stencil.base[d][l]) + o[d];
         weight *= static_cast<double>(stencil.weight[d][o[d]][l]);
         at[d] = node + 4;
-        const double r = node - static_cast<double>(x[d][l]);
+        const double r = node - static_cast<double>(x[d][l]);  // NOLINT(clang-analyzer-core*): it does not follow lanes
         distance2 += r * r;
       }
       const std::int32_t slot = home.neighbour[(at[0] >> 2) * 9 + (at[1] >> 2) * 3 + (at[2] >> 2)];

@@ -4,10 +4,9 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cerrno>
-
-extern char** environ;
 
 namespace bake {
 namespace {
@@ -35,6 +34,7 @@ class FileActions {
 
 ChildEnd run_child(std::vector<std::string> words, const std::filesystem::path& log) {
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   const FileActions actions(log);

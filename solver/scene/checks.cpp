@@ -38,6 +38,7 @@ void check_rising(const SceneEntry& table, std::string_view key, const std::vect
 
 void check_keyframes(const SceneEntry& entry, const std::vector<Keyframe>& motion) {
   std::vector<double> times;
+  times.reserve(motion.size());
   for (const Keyframe& key : motion) times.push_back(key.time_s);
   check_rising(entry, "motion", times);
 }

@@ -122,7 +122,7 @@ std::string explain(std::string_view key) {
   const std::vector<CatalogueSection> sections = catalogue();
   if (key.empty()) return overview(sections);
   for (const std::string& name : readings(key)) {
-    const std::string text = explain_all(sections, name);
+    std::string text = explain_all(sections, name);
     if (!text.empty()) return text;
   }
   complain_unknown(sections, key);

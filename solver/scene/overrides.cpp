@@ -94,10 +94,10 @@ toml::node& step_into(const Override& change, toml::node& node, const std::strin
 void put(const Override& change, toml::node& node, const std::string& key, toml::node&& value) {
   if (toml::array* list = node.as_array()) {
     const auto at = list->erase(list->cbegin() + static_cast<std::ptrdiff_t>(position(change, *list, key)));
-    std::move(value).visit([&](auto&& concrete) { list->insert(at, std::move(concrete)); });
+    std::move(value).visit([&](auto&& concrete) { list->insert(at, std::forward<decltype(concrete)>(concrete)); });
   } else if (toml::table* table = node.as_table()) {
     toml::key place(key, toml::source_region(value.source()));
-    std::move(value).visit([&](auto&& concrete) { table->insert_or_assign(std::move(place), std::move(concrete)); });
+    std::move(value).visit([&](auto&& concrete) { table->insert_or_assign(std::move(place), std::forward<decltype(concrete)>(concrete)); });
   } else {
     change.complain(fmt::format("'{}' is part of a single value, allowed: the key of that value", quotable(key)));
   }

@@ -46,7 +46,7 @@ struct Task {
     if (static_cast<int>(done.size()) > pass) return false;
     if (done.empty()) return true;
     const auto& found = done.front().at("found");
-    return found.at("failure") == "" && (long_ones || found.at("wall_s").get<double>() < k_long_s);
+    return found.at("failure").get<std::string>().empty() && (long_ones || found.at("wall_s").get<double>() < k_long_s);
   }
 };
 
