@@ -21,6 +21,7 @@ const Case& find_case(const std::string& name) {
   const auto at = std::find_if(all.begin(), all.end(), [&](const Case& c) { return c.name == name; });
   if (at != all.end()) return *at;
   std::vector<std::string> known;
+  known.reserve(all.size());
   for (const Case& c : all) known.push_back(c.name);
   throw InputError(fmt::format("--case: found \"{}\", allowed: {}", name, fmt::join(known, ", ")));
 }

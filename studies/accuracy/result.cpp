@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "solver/scene/reader.h"
@@ -19,6 +20,7 @@ using nlohmann::json;
 
 Spread spread(const std::vector<json>& lines, const char* group, const char* key) {
   std::vector<double> values;
+  values.reserve(lines.size());
   for (const json& line : lines) values.push_back(line.at(group).at(key));
   return spread_of(values);
 }
@@ -85,11 +87,11 @@ CaseResult::CaseResult(const Case& c, const RawData& raw) : case_(&c) {
 const Curve* CaseResult::default_curve() const { return !empty() && curves_.front().label == "default" ? &curves_.front() : nullptr; }
 
 std::vector<QualityResult> CaseResult::qualities() const {
-  constexpr const char* names[] = {"draft", "standard", "paper"};
+  constexpr std::array names{"draft", "standard", "paper"};
   std::vector<QualityResult> all;
   const Curve* curve = default_curve();
   if (!curve) return all;
-  for (std::size_t q = 0; q < case_->quality.size(); ++q)
+  for (std::size_t q = 0; q < std::min(names.size(), case_->quality.size()); ++q)
     for (const Point& p : curve->points)
       if (p.variant.cells == case_->quality[q] && std::isfinite(p.settled))
         all.push_back({names[q], &p, excess(curves_, p, particle_steps), excess(curves_, p, cpu_seconds),
