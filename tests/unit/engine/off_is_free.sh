@@ -52,8 +52,8 @@ expect_same() { # <composition> <effects left out>...
 }
 
 # Numbers as in solver/effects/model_list.h.
-expect_same 3 heat water moving_water plasticity leavening free_surface flip  # motion, elasticity
-expect_same 10 leavening flip                                    # motion, heat, water, elasticity, plasticity
+expect_same 3 heat water moving_water plasticity leavening free_surface flip_memory  # motion, elasticity
+expect_same 10 leavening flip_memory                                    # motion, heat, water, elasticity, plasticity
 
 # The test itself: an effect that is listed cannot be taken away.
 sources_without plasticity
