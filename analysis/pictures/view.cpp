@@ -82,9 +82,7 @@ std::string explained(const std::string& heading, const std::string& meaning) {
   std::string text = fmt::format("{}: {}\n", heading, meaning);
   const T fresh{};
   for_each_parameter<T>([&](const auto& parameter) {
-    const nlohmann::json value = json_value(fresh.*parameter.member);
-    const bool is_empty = value.is_null() || (value.is_string() && value.get_ref<const std::string&>().empty());
-    std::string standard = is_empty ? "none" : toml_text(value);
+    std::string standard = default_text(json_value(fresh.*parameter.member));
     if (standard.size() > 40) standard = "a ramp";
     text += fmt::format("  {:<26} {:<8} {}; default {}\n", parameter.key, parameter.unit, parameter.meaning, standard);
   });

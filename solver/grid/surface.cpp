@@ -104,12 +104,13 @@ struct Images {
   int node[4];
 };
 
-/// No node of the block is an image.
-bool is_far_from_faces(const BlockIndex& b, const Lattice& lattice) {
+/// Is any node of the block an image?
+bool has_images(const BlockIndex& b, const Lattice& lattice) {
   const int block[3] = {b.x, b.y, b.z};
   for (int d = 0; d < 3; ++d)
-    if (4 * block[d] - k_mirrored <= lattice.low_face() || 4 * block[d] + 3 + k_mirrored >= lattice.high_face(d)) return false;
-  return true;
+    for (const double face : {lattice.low_face(), lattice.high_face(d)})
+      if (4 * block[d] - k_mirrored <= face && face <= 4 * block[d] + 3 + k_mirrored) return true;
+  return false;
 }
 
 /// A block's own nodes along an axis, and what they are images of. Returns how many.
@@ -162,10 +163,9 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
 template <class Real>
 void FreeSurfaceMeasure<Real>::mirror(std::size_t s, const ActiveBlocks& active, const Lattice& lattice) {
   const BlockIndex& b = active.at[s];
-  if (is_far_from_faces(b, lattice)) return;
+  if (!has_images(b, lattice)) return;
   Images x[5], y[5], z[5];
   const int xs = find_images(b.x, 0, lattice, x), ys = find_images(b.y, 1, lattice, y), zs = find_images(b.z, 2, lattice, z);
-  if (xs == 1 && ys == 1 && zs == 1) return;
   blocks_[s].is_mirrored = true;
   mirrored_[s].fill(0);
   const auto add = [&](const Images& ix, const Images& iy, const Images& iz) {

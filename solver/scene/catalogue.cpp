@@ -16,9 +16,7 @@ namespace {
 template <class P, class Owner>
 std::string standard_value(const P& parameter, const Owner& fresh) {
   if (parameter.presence == Presence::required) return "required";
-  const nlohmann::json value = json_value(fresh.*parameter.member);
-  const bool is_empty = value.is_null() || (value.is_string() && value.get_ref<const std::string&>().empty());
-  return is_empty ? "none" : toml_text(value);
+  return default_text(json_value(fresh.*parameter.member));
 }
 
 template <Declared T>

@@ -107,6 +107,11 @@ std::string scene_fingerprint(const Scene& scene) {
   return fmt::format("{:016x}", fnv1a(values.dump()));
 }
 
+std::string default_text(const nlohmann::json& value) {
+  const bool is_empty = value.is_null() || (value.is_string() && value.get_ref<const std::string&>().empty());
+  return is_empty ? "none" : toml_text(value);
+}
+
 std::string toml_text(const nlohmann::json& value) {
   if (value.is_array()) return toml_list(value);
   if (value.is_object()) return toml_inline_table(value);

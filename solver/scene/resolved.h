@@ -20,5 +20,7 @@ std::string scene_fingerprint(const Scene& scene);
 
 /// A resolved value in one line of TOML; null members are left out.
 std::string toml_text(const nlohmann::json& value);
+/// The same of a default, for people: "none" if it is null or no word.
+std::string default_text(const nlohmann::json& value);
 
 }  // namespace bake
