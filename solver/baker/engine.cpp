@@ -8,6 +8,7 @@
 
 #include "solver/boundary/vector3.h"
 #include "solver/core/parallel.h"
+#include "solver/core/rows.h"
 #include "solver/effects/heat.h"
 #include "solver/effects/motion.h"
 #include "solver/effects/water.h"
@@ -56,12 +57,6 @@ double sum_over_block(const Real* nodes) {
   Lanes<Real> sum{};
   for (int n = 0; n < k_block_nodes; n += k_width<Real>) sum += *reinterpret_cast<const Lanes<Real>*>(nodes + n);
   return sum_lanes(sum);
-}
-
-/// Asks for rows that will be read and written soon.
-template <class Real>
-BAKE_INLINE void prefetch_rows(const Real* first, std::size_t numbers) {
-  for (std::size_t i = 0; i < numbers; i += 64 / sizeof(Real)) __builtin_prefetch(first + i, 1, 2);
 }
 
 }  // namespace

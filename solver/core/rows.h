@@ -51,7 +51,34 @@ struct Row {
   }
 };
 
+/// Two rows in one, side by side.
+template <class Real, int R>
+using RowPair = Row<Real, 2 * R>;
+
+/// Asks for rows that will be read and written soon.
+template <class Real>
+BAKE_INLINE void prefetch_rows(const Real* first, std::size_t numbers) {
+  for (std::size_t i = 0; i < numbers; i += 64 / sizeof(Real)) __builtin_prefetch(first + i, 1, 2);
+}
+
 namespace detail {
+template <class Real, int R, int... I>
+BAKE_INLINE RowPair<Real, R> halves(Real low, Real high, std::integer_sequence<int, I...>) {
+  typedef typename RowPair<Real, R>::Chunk Chunk;
+  const Chunk a = low - Chunk{}, b = high - Chunk{};
+  return {{__builtin_shufflevector(a, b, (I < R ? I : 2 * R + I)...)}};
+}
+template <class Real, int R, int first, int... I>
+BAKE_INLINE Row<Real, R> half(const RowPair<Real, R>& pair, std::integer_sequence<int, I...>) {
+  if constexpr (RowPair<Real, R>::k_chunks == 1) {
+    return {{__builtin_shufflevector(pair.at[0], pair.at[0], (first + I)...)}};
+  } else {
+    Row<Real, R> r;
+#pragma GCC unroll 8
+    for (int c = 0; c < r.k_chunks; ++c) r.at[c] = pair.at[first / r.k_chunk + c];
+    return r;
+  }
+}
 template <class V, class Chunk, int... L>
 BAKE_INLINE V widened(Chunk a, std::integer_sequence<int, L...>) {
   constexpr int R = sizeof(Chunk) / sizeof(a[0]);
@@ -62,6 +89,27 @@ BAKE_INLINE Chunk narrowed(V a, std::integer_sequence<int, L...>) {
   return __builtin_shufflevector(a, a, L...);
 }
 }  // namespace detail
+
+/// A pair of one register: `low` in all of its lower row, `high` in all of its upper.
+template <int R, class Real>
+BAKE_INLINE RowPair<Real, R> halves(Real low, Real high) {
+  return detail::halves<Real, R>(low, high, std::make_integer_sequence<int, 2 * R>{});
+}
+template <class Real, int R>
+BAKE_INLINE RowPair<Real, R> joined(const Row<Real, R>& low, const Row<Real, R>& high) {
+  RowPair<Real, R> both;
+#pragma GCC unroll 8
+  for (int c = 0; c < low.k_chunks; ++c) both.at[c] = low.at[c], both.at[low.k_chunks + c] = high.at[c];
+  return both;
+}
+template <int R, class Real>
+BAKE_INLINE Row<Real, R> lower(const RowPair<Real, R>& pair) {
+  return detail::half<Real, R, 0>(pair, std::make_integer_sequence<int, R>{});
+}
+template <int R, class Real>
+BAKE_INLINE Row<Real, R> upper(const RowPair<Real, R>& pair) {
+  return detail::half<Real, R, R>(pair, std::make_integer_sequence<int, R>{});
+}
 
 /// From W rows of R numbers (aligned, one after another) to R packs of lanes. R: a power of two.
 template <int R, class Real>

@@ -8,6 +8,7 @@
 #include "solver/baker/contacts.h"
 #include "solver/effects/physics.h"
 #include "solver/grid/grid.h"
+#include "solver/grid/scatter.h"
 
 namespace bake {
 
@@ -64,9 +65,6 @@ void collect(const Report<Real>& report, BlockResult<Real>& result) {
   result.temperature_low = static_cast<double>(smallest_lane(report.temperature_low));
   result.temperature_high = static_cast<double>(largest_lane(report.temperature_high));
 }
-
-/// Of the widest rows that are compiled: numbers, and those of them that may have coefficients of the node offsets.
-inline constexpr int k_most_channels = 16, k_most_moments = 8;
 
 /// Scratch memory of one thread.
 template <class Real>

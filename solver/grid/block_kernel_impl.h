@@ -5,11 +5,6 @@
 // time, and what they scatter is summed in a second tile that is added to the grid at the end. Particles may drift one
 // node distance out of their block and still find their stencil in the tile.
 //
-// Gather, one particle at a time, register = one node row: sums along z, then y, then x carry the value and its three moments
-// together. The result is transposed so that the physics sees lanes of particles.
-// Scatter, one particle at a time: with a' the value at the reference node and B the coefficients of the node offsets, node
-// (j, k, l) receives w_j w_k w_l (a' + j B_x + k B_y + l B_z). Particles of a cell follow each other, and its sums wait in registers.
-//
 // A core makes two multiply-adds, two sums, two loads and one store a cycle: products are shared, sums replace multiply-adds, and
 // stores are few.
 #pragma once
@@ -19,7 +14,8 @@
 
 #include "solver/core/rows.h"
 #include "solver/grid/block_kernel.h"
-#include "solver/grid/kernel.h"
+#include "solver/grid/gather.h"
+#include "solver/grid/scatter.h"
 
 namespace bake {
 
@@ -29,10 +25,8 @@ class BlockKernelOf final : public BlockKernel<Real> {
   using S = Stencil<Real, order>;
   static constexpr int W = k_width<Real>;
   static constexpr int N = Kernel<order>::support;
-  /// Where a register holds two gathered rows, the tile keeps each row twice, side by side: a multiply-add then serves the value with
-  /// its lower half and the derivative along z with its upper.
-  static constexpr bool k_twins = Row<Real, 2 * RG>::k_chunks == 1;
-  static constexpr int k_gather_row = k_twins ? 2 * RG : RG;  ///< numbers per node in the gather's tile
+  using FromTile = Gather<Real, order, RG>;
+  using ToTile = Scatter<Real, order, RS>;
 
   /// 0, 1, 2, ...
   static inline const V k_lane_numbers = [] {
@@ -40,42 +34,6 @@ class BlockKernelOf final : public BlockKernel<Real> {
     for (int l = 0; l < W; ++l) v[l] = static_cast<Real>(l);
     return v;
   }();
-
-  /// Where in a tile with `row` numbers per node the first nodes' rows of W stencils start.
-  BAKE_INLINE static void first_nodes(const S& s, int row, std::int32_t* node) {
-    const V first = ((s.base[0] + 1) * Real(k_tile_plane) + (s.base[1] + 1) * Real(k_tile_side) + (s.base[2] + 1)) * Real(row);
-    const auto whole = __builtin_convertvector(first, LaneMask<Real>);
-    for (int l = 0; l < W; ++l) node[l] = static_cast<std::int32_t>(whole[l]);
-  }
-
-  /// Weights of W particles per axis, in memory, lane by lane.
-  struct AxisWeights {
-    alignas(64) Real w[3][N][W];
-    alignas(64) Real z_moment[N][W];  ///< (l - 1) w_l along z
-    alignas(64) std::int32_t node[W];
-
-    BAKE_INLINE explicit AxisWeights(const S& s) {
-      for (int d = 0; d < 3; ++d)
-        for (int j = 0; j < N; ++j) *reinterpret_cast<V*>(w[d][j]) = s.weight[d][j];
-      for (int l = 0; l < N; ++l) *reinterpret_cast<V*>(z_moment[l]) = Real(l - 1) * s.weight[2][l];
-      first_nodes(s, k_gather_row, node);
-    }
-  };
-
-  /// Weights of W particles per node of the stencil.
-  struct NodeWeights {
-    alignas(64) Real w[N][N][N][W];
-    alignas(64) std::int32_t node[W];
-
-    BAKE_INLINE explicit NodeWeights(const S& s) {
-      for (int j = 0; j < N; ++j)
-        for (int k = 0; k < N; ++k) {
-          const V w_jk = s.weight[0][j] * s.weight[1][k];
-          for (int l = 0; l < N; ++l) *reinterpret_cast<V*>(w[j][k][l]) = w_jk * s.weight[2][l];
-        }
-      first_nodes(s, RS, node);
-    }
-  };
 
  public:
   int scattered_row() const override { return RS; }
@@ -107,7 +65,7 @@ class BlockKernelOf final : public BlockKernel<Real> {
       for (int c = 0; c < work.store->columns; ++c) __builtin_prefetch(columns + work.store->columns + c, 1);
       V x[3];
       load_position(columns, x);
-      gather(scratch.gather_tile.data(), S(x), 1 / work.step.dx, gathered);
+      FromTile::particles(scratch.gather_tile.data(), S(x), 1 / work.step.dx, gathered);
       V* velocity = work.velocity ? reinterpret_cast<V*>(work.velocity) + at * 3 : nullptr;
       work.physics->advance(columns, work.store->tiles[at].material, gathered, RG, scattered, RS, velocity, work.step, report);
 
@@ -118,10 +76,9 @@ class BlockKernelOf final : public BlockKernel<Real> {
       const LaneMask<Real> broken = not_finite(columns, work.physics->column_count);
       const LaneMask<Real> outside = stencil.outside() | gone | broken;
       touched.add(stencil, outside);
-      const NodeWeights weights(stencil);
       alignas(64) Real rows[W * 4 * RS];
-      coefficients_to_rows(stencil, scattered, work.physics->moment_channels, rows);
-      scatter(weights, rows, outside, count, scratch.scatter_tile.data());
+      ToTile::coefficients_to_rows(stencil, scattered, work.physics->moment_channels, rows);
+      ToTile::particles(stencil, rows, outside, count, scratch.scatter_tile.data());
       if (__builtin_expect(any(outside), 0))
         for (int l = 0; l < count; ++l)
           if (outside[l])
@@ -134,7 +91,7 @@ class BlockKernelOf final : public BlockKernel<Real> {
   }
 
   void to_rows(const Physics<Real>& physics, const V (&x)[3], V* scattered, Real* rows) const override {
-    coefficients_to_rows(S(x), scattered, physics.moment_channels, rows);
+    ToTile::coefficients_to_rows(S(x), scattered, physics.moment_channels, rows);
   }
 
   void scatter_rows(const BlockWork<Real>& work, int index, const Real (&x)[3], const Real* rows) const override {
@@ -168,20 +125,20 @@ class BlockKernelOf final : public BlockKernel<Real> {
       load_position(work.store->tile(at), x);
       const S stencil(x);
       alignas(64) V gathered[4 * RG], scattered[4 * RS] = {};
-      gather(scratch.gather_tile.data(), stencil, 1 / work.step.dx, gathered);
+      FromTile::particles(scratch.gather_tile.data(), stencil, 1 / work.step.dx, gathered);
       const V kappa_V = work.physics->conductance(work.store->tile(at), work.store->tiles[at].material);
       for (int axis = 0; axis < 3; ++axis)
         scattered[(1 + axis) * RS] = kappa_V * (work.step.inverse_d * work.step.dx) * gathered[(1 + axis) * RG];
       alignas(64) Real rows[W * 4 * RS];
-      coefficients_to_rows(stencil, scattered, 1, rows);
-      scatter(NodeWeights(stencil), rows, LaneMask<Real>{}, work.store->tiles[at].count, scratch.scatter_tile.data());
+      ToTile::coefficients_to_rows(stencil, scattered, 1, rows);
+      ToTile::particles(stencil, rows, LaneMask<Real>{}, work.store->tiles[at].count, scratch.scatter_tile.data());
     }
     flush(work.scattered, block, scratch.scatter_tile.data());
   }
 
  private:
   static void prepare(Scratch<Real>& scratch) {
-    if (scratch.gather_tile.size() < k_tile_nodes * k_gather_row) scratch.gather_tile.resize_and_forget(k_tile_nodes * k_gather_row);
+    if (scratch.gather_tile.size() < k_tile_nodes * FromTile::k_row) scratch.gather_tile.resize_and_forget(k_tile_nodes * FromTile::k_row);
     if (scratch.scatter_tile.size() < k_tile_nodes * RS) scratch.scatter_tile.resize_and_forget(k_tile_nodes * RS);
   }
 
@@ -221,24 +178,20 @@ class BlockKernelOf final : public BlockKernel<Real> {
   /// its nodes and beyond, since this block has touched the others.
   /// Inlined by force: GCC takes a function that only prefetches for one without effect, and drops its calls.
   BAKE_INLINE static void prefetch_part(const BlockWork<Real>& work, const HomeBlock& above, int part, int parts) {
-    constexpr int k_line = 64 / static_cast<int>(sizeof(Real));
     for (int x = k_tile_side * part / parts; x < k_tile_side * (part + 1) / parts; ++x) {
       if (x < above.low[0] || x > above.high[0]) continue;
       for (int y = above.low[1]; y <= above.high[1]; ++y)
         for (const int z : {2, 4}) {
           const std::size_t row = grid_row(above, x - 1, y - 1, z);
-          for (int i = 0; i < 2 * RS; i += k_line) __builtin_prefetch(work.scattered + row * RS + i, 1, 3);
-          for (int i = 0; i < 2 * RG; i += k_line) __builtin_prefetch(work.gathered + row * RG + i, 0, 3);
+          prefetch_rows(work.scattered + row * RS, 2 * RS);
+          prefetch_rows(work.gathered + row * RG, 2 * RG);
         }
     }
   }
 
   static void load_tile(const Real* grid, const HomeBlock& block, Real* tile) {
     for_each_run(block, [&](std::size_t tile_row, std::size_t grid_row, int count) {
-      for (int i = 0; i < count; ++i) {
-        const auto row = Row<Real, RG>::load(grid + (grid_row + i) * RG);
-        for (int twin = 0; twin < k_gather_row; twin += RG) row.store(tile + (tile_row + i) * k_gather_row + twin);
-      }
+      for (int i = 0; i < count; ++i) FromTile::load(grid + (grid_row + i) * RG, tile + (tile_row + i) * FromTile::k_row);
     });
   }
 
@@ -253,183 +206,6 @@ class BlockKernelOf final : public BlockKernel<Real> {
         R::zero().store(tile + (tile_row + i) * RS);
       }
     });
-  }
-
-  /// Values and gradients of W particles, as lanes: values, d/dx, d/dy, d/dz, RG lanes each.
-  /// The nodes give sum w n and sum w o n with their whole offsets o; the gradient is D^-1 (sum w o n - f sum w n).
-  BAKE_INLINE static void gather(const Real* tile, const S& stencil, Real per_dx, V* gathered) {
-    const AxisWeights weights(stencil);
-    alignas(64) Real rows[W][4 * RG];
-    for (int p = 0; p < W; ++p) gather_one(tile + weights.node[p], weights, p, rows[p]);
-    rows_to_lanes<4 * RG>(rows[0], gathered);
-    const Real scale = Kernel<order>::inverse_d * per_dx;
-    for (int axis = 0; axis < 3; ++axis)
-      for (int c = 0; c < RG; ++c) {
-        V& slope = gathered[(1 + axis) * RG + c];
-        slope = scale * (slope - stencil.offset[axis] * gathered[c]);
-      }
-  }
-
-  template <class R>
-  struct Moments {
-    R value, moment;
-  };
-  /// sum w_i a_i and sum (i - 1) w_i a_i: products are shared, sums leave the multipliers to others.
-  template <class R>
-  BAKE_INLINE static Moments<R> moments(const R (&a)[N], const Real (*w)[W], int p) {
-    const R first = a[0] * w[0][p], third = a[2] * w[2][p];
-    Moments<R> sums{first.plus(1, third), third.plus(-1, first)};
-    if constexpr (N == 4) {
-      const R last = a[3] * w[3][p];
-      sums = {sums.value.plus(1, last), sums.moment.plus(2, last)};
-    }
-    sums.value.add(a[1], w[1][p]);
-    return sums;
-  }
-
-  /// One particle's sums, from its first node on: values, then moments along x, y and z. A line of nodes along z becomes a double row,
-  /// its value in the lower half and its moment in the upper, so that the sums along y and x serve both.
-  BAKE_INLINE static void gather_one(const Real* first, const AxisWeights& weights, int p, Real* out) {
-    using R = Row<Real, RG>;
-    using P = Row<Real, 2 * RG>;
-    P lines[N], lines_y[N], along_z[N];
-    if constexpr (k_twins)
-#pragma GCC unroll 4
-      for (int l = 0; l < N; ++l) along_z[l] = halves(weights.w[2][l][p], weights.z_moment[l][p]);
-#pragma GCC unroll 4
-    for (int j = 0; j < N; ++j) {
-      P line[N];
-#pragma GCC unroll 4
-      for (int k = 0; k < N; ++k) {
-        const Real* node = first + (j * k_tile_plane + k * k_tile_side) * k_gather_row;
-        if constexpr (k_twins) {
-          line[k] = P::zero();
-#pragma GCC unroll 4
-          for (int l = 0; l < N; ++l) line[k].at[0] += P::load(node + l * 2 * RG).at[0] * along_z[l].at[0];
-        } else {
-          R row[N];
-#pragma GCC unroll 4
-          for (int l = 0; l < N; ++l) row[l] = R::load(node + l * RG);
-          const auto sums = moments(row, weights.w[2], p);
-          line[k] = joined(sums.value, sums.moment);
-        }
-      }
-      const auto along_y = moments(line, weights.w[1], p);
-      lines[j] = along_y.value;
-      lines_y[j] = along_y.moment;
-    }
-    const auto along_x = moments(lines, weights.w[0], p);
-    P y = lines_y[0] * weights.w[0][0][p];
-#pragma GCC unroll 4
-    for (int j = 1; j < N; ++j) y.add(lines_y[j], weights.w[0][j][p]);
-    lower(along_x.value).store(out);
-    lower(along_x.moment).store(out + RG);
-    lower(y).store(out + 2 * RG);
-    upper(along_x.value).store(out + 3 * RG);
-  }
-
-  template <int... I>
-  using Indices = std::integer_sequence<int, I...>;
-  /// `low` in the lower half, `high` in the upper.
-  template <int... I>
-  BAKE_INLINE static Row<Real, 2 * RG> halves(Real low, Real high, Indices<I...>) {
-    typedef typename Row<Real, 2 * RG>::Chunk Chunk;
-    const Chunk a = low - Chunk{}, b = high - Chunk{};
-    return {{__builtin_shufflevector(a, b, (I < RG ? I : 2 * RG + I)...)}};
-  }
-  BAKE_INLINE static Row<Real, 2 * RG> halves(Real low, Real high) { return halves(low, high, std::make_integer_sequence<int, 2 * RG>{}); }
-  BAKE_INLINE static Row<Real, 2 * RG> joined(const Row<Real, RG>& low, const Row<Real, RG>& high) {
-    Row<Real, 2 * RG> both;
-#pragma GCC unroll 8
-    for (int c = 0; c < low.k_chunks; ++c) both.at[c] = low.at[c], both.at[low.k_chunks + c] = high.at[c];
-    return both;
-  }
-  template <int first, int... I>
-  BAKE_INLINE static Row<Real, RG> half(const Row<Real, 2 * RG>& p, Indices<I...>) {
-    if constexpr (Row<Real, 2 * RG>::k_chunks == 1) {
-      return {{__builtin_shufflevector(p.at[0], p.at[0], (first + I)...)}};
-    } else {
-      Row<Real, RG> r;
-#pragma GCC unroll 8
-      for (int c = 0; c < r.k_chunks; ++c) r.at[c] = p.at[first / r.k_chunk + c];
-      return r;
-    }
-  }
-  BAKE_INLINE static Row<Real, RG> lower(const Row<Real, 2 * RG>& p) { return half<0>(p, std::make_integer_sequence<int, RG>{}); }
-  BAKE_INLINE static Row<Real, RG> upper(const Row<Real, 2 * RG>& p) { return half<RG>(p, std::make_integer_sequence<int, RG>{}); }
-
-  /// From lanes of coefficients about the particles to one set of four rows per particle, about the reference node.
-  BAKE_INLINE static void coefficients_to_rows(const S& s, V* coefficients, int moments, Real* rows) {
-    for (int c = 0; c < moments; ++c)
-      for (int axis = 0; axis < 3; ++axis) coefficients[c] -= coefficients[(1 + axis) * RS + c] * s.offset[axis];
-    lanes_to_rows<RS>(coefficients, rows, 4 * RS);
-    for (int axis = 1; axis < 4; ++axis) {
-      V slopes[RS];
-      for (int c = 0; c < RS; ++c) slopes[c] = c < k_most_moments ? coefficients[axis * RS + c] : V{};  // which leaves out shuffles
-      lanes_to_rows<RS>(slopes, rows + axis * RS, 4 * RS);
-    }
-  }
-
-  /// Adds the particles below `count` that are not `outside` to the tile. Neighbours are often of one cell (particles are sorted): the
-  /// sums of a cell's nodes stay in registers until another cell's particle comes, for stores are what the scatter has most of.
-  BAKE_INLINE static void scatter(const NodeWeights& weights, const Real* rows, LaneMask<Real> outside, int count, Real* tile) {
-    constexpr int k_sums = k_register_bytes == 64 ? 27 : 9;  // registers for them
-    constexpr int k_line = N * Row<Real, RS>::k_chunks;
-    constexpr int J = N * N * k_line <= k_sums ? N : 1, K = N * k_line <= k_sums ? N : 1;
-    int begin = 0;
-    while (begin < count) {
-      if (outside[begin]) {
-        ++begin;
-        continue;
-      }
-      int end = count;
-      if (__builtin_expect(any(outside), 0))
-        for (end = begin + 1; end < count && !outside[end];) ++end;
-      scatter_all_lines<J, K>(weights, rows, begin, end, tile, std::make_integer_sequence<int, (N / J) * (N / K)>{});
-      begin = end;
-    }
-  }
-  template <int J, int K, int... I>
-  BAKE_INLINE static void scatter_all_lines(const NodeWeights& weights, const Real* rows, int begin, int end, Real* tile, Indices<I...>) {
-    (scatter_lines<I / (N / K) * J, J, I % (N / K) * K, K>(weights, rows, begin, end, tile), ...);
-  }
-  /// Of the stencils' lines of nodes along z, those j_0 to j_0 + J - 1 in x, k_0 to k_0 + K - 1 in y.
-  template <int j_0, int J, int k_0, int K>
-  BAKE_INLINE static void scatter_lines(const NodeWeights& weights, const Real* rows, int begin, int end, Real* tile) {
-    using R = Row<Real, RS>;
-    R sum[J][K][N];
-    const auto for_each_node = [&](Real * first, auto visit) __attribute__((always_inline)) {
-#pragma GCC unroll 4
-      for (int j = 0; j < J; ++j)
-#pragma GCC unroll 4
-        for (int k = 0; k < K; ++k)
-#pragma GCC unroll 4
-          for (int l = 0; l < N; ++l) visit(sum[j][k][l], first + ((j_0 + j) * k_tile_plane + (k_0 + k) * k_tile_side + l) * RS);
-    };
-    Real* nodes = tile + weights.node[begin];
-    for_each_node(
-        nodes, [](R & s, const Real* node) __attribute__((always_inline)) { s = R::load(node); });
-    for (int p = begin;; ++p) {
-      const Real* mine = rows + p * 4 * RS;
-#pragma GCC unroll 4
-      for (int j = 0; j < J; ++j) {
-        const R at_j = R::load(mine).plus(j_0 + j - 1, R::load(mine + RS));
-#pragma GCC unroll 4
-        for (int k = 0; k < K; ++k) {
-          const R at_jk = at_j.plus(k_0 + k - 1, R::load(mine + 2 * RS));
-#pragma GCC unroll 4
-          for (int l = 0; l < N; ++l) sum[j][k][l].add(at_jk.plus(l - 1, R::load(mine + 3 * RS)), weights.w[j_0 + j][k_0 + k][l][p]);
-        }
-      }
-      const bool last = p + 1 == end;
-      if (!last && weights.node[p + 1] == weights.node[p]) continue;
-      for_each_node(
-          nodes, [](const R& s, Real* node) __attribute__((always_inline)) { s.store(node); });
-      if (last) break;
-      nodes = tile + weights.node[p + 1];
-      for_each_node(
-          nodes, [](R & s, const Real* node) __attribute__((always_inline)) { s = R::load(node); });
-    }
   }
 
   /// Lanes with a number in their state that is not finite. Several sums, since one would wait for itself.

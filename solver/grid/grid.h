@@ -18,10 +18,6 @@
 namespace bake {
 
 inline constexpr int k_block_nodes = 64;
-inline constexpr int k_tile_side = 8;
-/// Rows from one plane of a tile to the next: more than 64, so that planes do not share the sets of the first-level cache.
-inline constexpr int k_tile_plane = 70;
-inline constexpr int k_tile_nodes = k_tile_side * k_tile_plane;
 /// Nodes beyond a face of the domain into which dough is mirrored for the measure of its surface: dough reaches the first, whose area
 /// depends on the volume of three more.
 inline constexpr int k_mirrored = 4;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/grid/tile.h"
+
 namespace bake {
 
 template <class Real>
