@@ -64,6 +64,9 @@ double sum_over_block(const Real* nodes) {
 template <class Real>
 Engine<Real>::Engine(const Scene& scene)
     : scene_(scene),
+      gravity_(scene.of<Motion>().gravity_m_per_s2),
+      inertia_scale_(scene.of<Motion>().inertia_scale),
+      water_specific_heat_(scene.of<Heat>().water_specific_heat_J_per_kgK),
       lattice_(scene.domain, scene.dx()),
       physics_(make_physics<Real>(scene)),
       kernel_(make_block_kernel<Real>(scene.grid.kernel, *physics_)),
@@ -258,8 +261,6 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
     active_.touched[s] = 0;
     return;
   }
-  const Vector3 g = physics_->moves ? scene_.of<Motion>().gravity_m_per_s2 : Vector3{0, 0, 0};
-  const double inertia = scene_.of<Motion>().inertia_scale;
   const bool at_contact = physics_->moves && contacts_.near(active_.at[s], 0);
   const bool at_grip = contacts_.holds_temperatures() && contacts_.near(active_.at[s], 0);
   alignas(64) Real mass[k_block_nodes];
@@ -275,7 +276,7 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
     physics_->update_nodes(in, out, sums, around, step, booked);
     if (physics_->moves) {
       for (std::size_t d = 0; d < 3; ++d)
-        out[d] += sums.inertia > 0 ? lanes<Real>(static_cast<Real>(dt_ * g[d] / inertia)) : 0 * sums.inertia;
+        out[d] += sums.inertia > 0 ? lanes<Real>(static_cast<Real>(dt_ * gravity_[d] / inertia_scale_)) : 0 * sums.inertia;
       *reinterpret_cast<Lanes<Real>*>(mass + first) = sums.inertia;
     }
     kernel_->put_nodes(out, rows + n * RG);
@@ -286,7 +287,7 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
     }
   }
   if (physics_->moves) {
-    book_gravity(mass, lattice_.origin(active_.at[s]), lattice_.dx(), (dt_ / inertia) * g, booked);
+    book_gravity(mass, lattice_.origin(active_.at[s]), lattice_.dx(), (dt_ / inertia_scale_) * gravity_, booked);
     if (force_) change_velocities(s, mass, rows, booked, [&](const Point& x, const Vector3& v) { return force_(x, v, time_, dt_); });
     if (at_contact)
       change_velocities(s, mass, rows, booked, [&](const Point& x, const Vector3& v) { return contacts_.velocity_after(x, v); });
@@ -303,32 +304,31 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
 /// (Water::gather). All with the step's final velocities and temperatures.
 template <class Real>
 void Engine<Real>::book_water(std::size_t slot, Bookings& booked) const {
-  const double alpha_w = physics_->has_heat ? scene_.of<Heat>().water_specific_heat_J_per_kgK : 0;
-  const double inertia = physics_->moves ? scene_.of<Motion>().inertia_scale : 0;
-  const auto add = [&](Entry entry, double amount) { booked[static_cast<std::size_t>(entry)] += amount; };
+  const bool moves = physics_->moves, has_heat = physics_->has_heat;
+  const auto RG = static_cast<std::size_t>(gathered_row());
+  const Real *row = gathered_.data() + slot * k_block_nodes * RG, *temperature = row + (has_heat ? physics_->temperature_channel : 0);
+  const Real *moved = &moved_water_[slot * k_block_nodes], *evaporated = &evaporated_water_[slot * k_block_nodes];
   const Point origin = lattice_.origin(active_.at[slot]);
   double moved_warmth = 0, vapour_warmth = 0;  // [kg C]
   Vector3 moved_momentum{0, 0, 0};
-  for (int n = 0; n < k_block_nodes; ++n) {
-    const std::size_t node = slot * k_block_nodes + static_cast<std::size_t>(n);
-    const auto moved = static_cast<double>(moved_water_[node]), evaporated = static_cast<double>(evaporated_water_[node]);
-    const Real* row = gathered_.data() + node * static_cast<std::size_t>(gathered_row());
-    if (physics_->has_heat) {
-      const auto theta = static_cast<double>(row[physics_->temperature_channel]);
-      moved_warmth += moved * theta;
-      vapour_warmth += evaporated * theta;
+  for (int n = 0; n < k_block_nodes; ++n, row += RG, temperature += RG) {
+    const auto m = static_cast<double>(moved[n]), lost = static_cast<double>(evaporated[n]);
+    if (has_heat) {
+      moved_warmth += m * static_cast<double>(*temperature);
+      vapour_warmth += lost * static_cast<double>(*temperature);
     }
-    if (physics_->moves) {
+    if (moves) {
       const Vector3 v{double(row[0]), double(row[1]), double(row[2])};
-      moved_momentum = moved_momentum + moved * v;
-      if (evaporated != 0) book_impulse(node_position(origin, lattice_.dx(), n), -inertia * evaporated * v, booked);
+      moved_momentum = moved_momentum + m * v;
+      if (lost != 0) book_impulse(node_position(origin, lattice_.dx(), n), -inertia_scale_ * lost * v, booked);
     }
   }
-  add(Entry::vapour_heat, alpha_w * vapour_warmth);
-  add(Entry::remapped_heat, -alpha_w * moved_warmth);
-  add(Entry::remapped_x, -inertia * moved_momentum[0]);
-  add(Entry::remapped_y, -inertia * moved_momentum[1]);
-  add(Entry::remapped_z, -inertia * moved_momentum[2]);
+  const auto add = [&](Entry entry, double amount) { booked[static_cast<std::size_t>(entry)] += amount; };
+  add(Entry::vapour_heat, water_specific_heat_ * vapour_warmth);
+  add(Entry::remapped_heat, -water_specific_heat_ * moved_warmth);
+  add(Entry::remapped_x, -inertia_scale_ * moved_momentum[0]);
+  add(Entry::remapped_y, -inertia_scale_ * moved_momentum[1]);
+  add(Entry::remapped_z, -inertia_scale_ * moved_momentum[2]);
 }
 
 template <class Real>
@@ -368,9 +368,10 @@ template <class Real>
 template <class After>
 void Engine<Real>::change_velocities(std::size_t slot, const Real* mass, Real* rows, Bookings& booked, After after) const {
   const Point origin = lattice_.origin(active_.at[slot]);
+  const int RG = gathered_row();
   for (int n = 0; n < k_block_nodes; ++n) {
     if (!(mass[n] > 0)) continue;
-    Real* row = rows + n * gathered_row();
+    Real* row = rows + n * RG;
     const Vector3 v{double(row[0]), double(row[1]), double(row[2])};
     const Point x = node_position(origin, lattice_.dx(), n);
     const Vector3 changed = after(x, v);

@@ -94,6 +94,8 @@ class Engine {
   std::int32_t home_of(const BlockIndex& block) const;
 
   const Scene& scene_;
+  const Vector3 gravity_;                             ///< [m/s^2]
+  const double inertia_scale_, water_specific_heat_;  ///< 1 and J/(kg K); looked up here once, for blocks ask for them
   Lattice lattice_;
   std::unique_ptr<Physics<Real>> physics_;
   std::unique_ptr<BlockKernel<Real>> kernel_;

@@ -133,6 +133,14 @@ struct Model<Real, Effects...>::From {
 
 template <class Real, class... Effects>
 struct Model<Real, Effects...>::To {
+  BAKE_INLINE To() {  // stores, not a call of memset for every tile
+#pragma GCC unroll 32
+    for (V& v : values) v = V{};
+#pragma GCC unroll 32
+    for (auto& m : moments)
+#pragma GCC unroll 3
+      for (V& v : m) v = V{};
+  }
   V values[Scattered::width];
   V moments[k_moments > 0 ? k_moments : 1][3];  ///< coefficient of r = x_i - x_p [1/m]
   template <class C>
@@ -271,7 +279,7 @@ BAKE_INLINE void Model<Real, Effects...>::stress_and_scatter(Particle& p, const 
     if (__builtin_expect(any(leaving), 0)) count_leaving(p, k, step, leaving, report);
   }
   if (report.totals_wanted) count(p, k, step, report);
-  To to{};
+  To to;
   BAKE_FOR_EACH_EFFECT(Effect::scatter(p, to, constants, step, report));
   BAKE_FOR_EACH_EFFECT(Effect::limits(p, constants, step, report));
   for (int c = 0; c < Scattered::width; ++c) scattered[c] = to.values[c];

@@ -172,11 +172,14 @@ void FreeSurfaceMeasure<Real>::mirror(std::size_t s, const ActiveBlocks& active,
     const std::int32_t slot = active.slot_at({ix.block, iy.block, iz.block}, lattice);
     if (slot < 0 || !blocks_[static_cast<std::size_t>(slot)].has_volume) return;
     const Nodes& V = volume_[static_cast<std::size_t>(slot)];
-    for (int k = 0; k < k_block_nodes; ++k) {
-      const int from[3] = {ix.node[k >> 4], iy.node[k >> 2 & 3], iz.node[k & 3]};
-      if (from[0] >= 0 && from[1] >= 0 && from[2] >= 0)
-        mirrored_[s][static_cast<std::size_t>(k)] += V[static_cast<std::size_t>(node_in_block(from[0], from[1], from[2]))];
-    }
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) {
+        if (ix.node[i] < 0 || iy.node[j] < 0) continue;
+        Real* line = &mirrored_[s][static_cast<std::size_t>(node_in_block(i, j, 0))];
+        const Real* image = &V[static_cast<std::size_t>(node_in_block(ix.node[i], iy.node[j], 0))];
+        for (int k = 0; k < 4; ++k)
+          if (iz.node[k] >= 0) line[k] += image[iz.node[k]];
+      }
   };
   for (int i = 0; i < xs; ++i)
     for (int j = 0; j < ys; ++j)
