@@ -2,6 +2,7 @@
 // Metrics of frames: particles are followed by their identity, named by where they were at the start.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -88,6 +89,38 @@ double heated_share(const Results& run, const MetricPlace& at) {
   return volume_share(frame, [&](std::size_t row) { return static_cast<double>(peak[row]) >= *at.temperature_C; });
 }
 
+/// How much of each particle's water is gone since the start, as a share.
+std::vector<double> dryness(const FrameReader& start, const FrameReader& now) {
+  const auto before = start.column("water_mass"), after = now.column("water_mass");
+  const auto ids = now.identities();
+  const auto last = std::max_element(ids.begin(), ids.end());
+  const auto rows = start.rows_by_identity(0, last == ids.end() ? 0 : static_cast<std::size_t>(*last) + 1);
+  std::vector<double> dry;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const std::int64_t row = rows[static_cast<std::size_t>(ids[i])];
+    if (row < 0) throw InputError(fmt::format("found particle {}, which was not there at the start, allowed: bodies alone", ids[i]));
+    const auto had = static_cast<double>(before[static_cast<std::size_t>(row)]);
+    dry.push_back(had > 0 ? 1 - static_cast<double>(after[i]) / had : 0);
+  }
+  return dry;
+}
+
+/// Volume of what has dried, over the area that touches air: how deep that layer would be if it were as deep everywhere. What counts as
+/// dried goes from nothing at half the share to all at one and a half times of it, for two reasons: a layer of few particles would change
+/// in jumps with a sharp edge, and what is below half is not counted at all, so that round-off of a whole loaf's inside adds nothing.
+/// Temperature would not do in place of water: it comes through a loaf long before the crust is formed.
+double crust_thickness(const Results& run, const MetricPlace& at) {
+  const int number = run.frame_at(at.time_s);
+  const FrameReader now = run.frame(number);
+  const auto volumes = now.column("volume");
+  const auto dry = dryness(run.frame(0), now);
+  double crust = 0;
+  for (std::size_t row = 0; row < volumes.size(); ++row)
+    crust += static_cast<double>(volumes[row]) * std::clamp(dry[row] / *at.dried_share - 0.5, 0.0, 1.0);
+  const double area = run.column("surface_m2")[static_cast<std::size_t>(number)];
+  return area > 0 ? crust / area : std::nan("");
+}
+
 /// The middle of the particles at the start, seen from above.
 std::array<double, 2> axis_of(const Results& run) {
   const auto positions = run.frame(0).positions();
@@ -172,6 +205,13 @@ std::vector<Metric> frame_metrics() {
        heated_share,
        nullptr,
        {"temperature_C"},
+       {"time_s"}},
+      {"crust_thickness",
+       "m",
+       "mean thickness of the layer that has lost dried_share of its water: its volume over the area that touches air",
+       crust_thickness,
+       nullptr,
+       {"dried_share"},
        {"time_s"}},
       {"outflow",
        "1",

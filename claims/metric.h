@@ -20,6 +20,7 @@ struct MetricPlace {
   std::optional<Vector3> low_m, high_m;
   std::optional<double> radius_m;
   std::optional<double> temperature_C;
+  std::optional<double> dried_share;
   std::optional<double> time_s;
   static constexpr auto parameters() {
     return std::tuple{
@@ -30,6 +31,7 @@ struct MetricPlace {
         Parameter{"high_m", &MetricPlace::high_m, "m", any_number, "upper corner of a box, in places of the start"},
         Parameter{"radius_m", &MetricPlace::radius_m, "m", positive, "distance from the upright axis through the middle of the start"},
         Parameter{"temperature_C", &MetricPlace::temperature_C, "C", above_absolute_zero, "temperature that is reached"},
+        Parameter{"dried_share", &MetricPlace::dried_share, "1", open_fraction, "share of its water that has left what is called dry"},
         Parameter{"time_s", &MetricPlace::time_s, "s", non_negative, "time of the frame; the last one unless given"},
     };
   }

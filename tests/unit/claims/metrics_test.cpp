@@ -2,6 +2,7 @@
 // Metrics of frames and of fracture surfaces, on results that are written by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "claims/metric.h"
@@ -12,11 +13,11 @@
 namespace bake {
 namespace {
 
-/// Particle i of a frame: where, how hot now and ever, how large.
+/// Particle i of a frame: where, how hot now and ever, how large, how wet.
 struct Dot {
   std::int64_t id;
   Vector3 at;
-  float temperature = 20, peak = 20, volume = 1;
+  float temperature = 20, peak = 20, volume = 1, water = 1;
 };
 
 class FrameMetrics : public testing::Test {
@@ -24,21 +25,26 @@ class FrameMetrics : public testing::Test {
   FrameMetrics() {
     std::filesystem::create_directories(folder_ / "frames");
     std::ofstream(folder_ / "run.json") << R"({"summary": {"state": "done"}})";
-    std::ofstream(folder_ / "ledger.csv") << "time_s\n0\n1\n2\n";
+    std::ofstream(folder_ / "ledger.csv") << "time_s,surface_m2\n0,1\n1,2\n2,2\n";
   }
   void frame(int number, const std::vector<Dot>& dots) const {
-    std::vector<float> places, temperature, peak, volume;
+    std::vector<float> places, temperature, peak, volume, water;
     std::vector<std::int64_t> ids;
     for (const Dot& dot : dots) {
       for (const double x : dot.at) places.push_back(static_cast<float>(x));
       temperature.push_back(dot.temperature);
       peak.push_back(dot.peak);
       volume.push_back(dot.volume);
+      water.push_back(dot.water);
       ids.push_back(dot.id);
     }
-    write_frame(
-        folder_ / "frames" / frame_name(number), number,
-        {places, {{"temperature", "C", temperature}, {"peak_temperature", "C", peak}, {"volume", "m^3", volume}, {"id", "1", ids}}});
+    write_frame(folder_ / "frames" / frame_name(number), number,
+                {places,
+                 {{"temperature", "C", temperature},
+                  {"peak_temperature", "C", peak},
+                  {"volume", "m^3", volume},
+                  {"water_mass", "kg", water},
+                  {"id", "1", ids}}});
   }
   double measure(const char* metric, const MetricPlace& place) const { return find_metric(metric).of_run(Results(folder_.path()), place); }
   const TemporaryFolder folder_;
@@ -95,6 +101,43 @@ TEST_F(FrameMetrics, ShareVolumesNotParticles) {
   EXPECT_DOUBLE_EQ(measure("heated_share", place), 0.75);
   place.radius_m = 2;
   EXPECT_DOUBLE_EQ(measure("outflow", place), 0.75);
+}
+
+/// A slab under 2 m^2 of air, in layers that are not equally wet: once dry, exp(-z / l) of the water at depth z is gone.
+std::vector<Dot> slab(int layers, double thickness, double l, bool dry) {
+  std::vector<Dot> dots;
+  for (int i = 0; i < layers; ++i) {
+    const double z = thickness * (i + 0.5) / layers, share_left = dry ? 1 - std::exp(-z / l) : 1;
+    Dot dot{i, {0, 0, z}};
+    dot.volume = static_cast<float>(2 * thickness / layers);
+    dot.water = static_cast<float>((1 + i % 3) * share_left);
+    dots.push_back(dot);
+  }
+  if (dry) std::reverse(dots.begin(), dots.end());  // frames are in any order
+  return dots;
+}
+
+TEST_F(FrameMetrics, FindTheThicknessOfACrust) {
+  constexpr double thickness = 0.1, l = 0.02, share = 0.2;
+  MetricPlace place;
+  place.dried_share = share;
+  // all of it where more than 0.3 are lost, down to l ln(1 / 0.3); then in proportion, until 0.1 are
+  const double full = l * std::log(1 / 0.3), edge = l * (0.3 - 0.1) / share - 0.5 * l * std::log(3);
+  for (const int layers : {500, 20}) {
+    frame(0, slab(layers, thickness, l, false));
+    frame(2, slab(layers, thickness, l, true));
+    EXPECT_NEAR(measure("crust_thickness", place), full + edge, layers == 500 ? 1e-6 : 4e-4) << layers << " layers";
+  }
+  place.time_s = 0;
+  EXPECT_EQ(measure("crust_thickness", place), 0) << "at the start nothing is dry";
+}
+
+TEST_F(FrameMetrics, RefuseACrustOfWhatWasPoured) {
+  frame(0, {{1, {0, 0, 0}}});
+  frame(2, {{1, {0, 0, 0}}, {2, {1, 0, 0}}});
+  MetricPlace place;
+  place.dried_share = 0.1;
+  EXPECT_THROW(measure("crust_thickness", place), InputError);
 }
 
 /// z = 1 - kappa r^2 / 2 on top of a block of lower particles, off the origin.
