@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "solver/io/atomic_file.h"
 #include "solver/io/provenance.h"
@@ -50,19 +51,23 @@ struct Task {
   }
 };
 
-/// In passes over all variants, so that whatever else the machine does meets all alike. Returns how many were measured.
+/// In passes over all variants, so that whatever else the machine does meets all alike; its own speed is measured before each pass.
+/// Returns how many were measured.
 int measure(std::vector<Task>& tasks, int repeats, bool long_ones) {
   int measured = 0;
-  for (int pass = 0; pass < repeats; ++pass)
+  for (int pass = 0; pass < repeats; ++pass) {
+    std::optional<bench::Speed> speed;
     for (Task& t : tasks) {
       if (!t.needed(pass, long_ones)) continue;
+      if (!speed) speed = bench::measure_speed(1);
       const Found found = t.of->measure(t.scene);
-      t.raw->append(t.identity, found);
+      t.raw->append(t.identity, found, *speed);
       ++measured;
       fmt::print(stderr, "{}, {}, {} cells, {} of {}: {}; {:.2g} particle-steps, {:.2g} s\n", t.of->name, t.variant.label, t.variant.cells,
                  pass + 1, repeats, found.failure.empty() ? "error " + percent(found.error) : found.failure,
                  static_cast<double>(found.particle_steps), found.wall_s);
     }
+  }
   return measured;
 }
 
@@ -71,8 +76,9 @@ void write(const std::vector<CaseResult>& results, const std::filesystem::path& 
   for (const CaseResult& r : results) cases.push_back(as_json(r));
   const nlohmann::json made = provenance();
   std::filesystem::create_directories(out);
-  write_text_atomically(out / "accuracy.json",
-                        nlohmann::json{{"study", "accuracy"}, {"provenance", made}, {"cases", cases}}.dump(1) + "\n");
+  write_text_atomically(
+      out / "accuracy.json",
+      nlohmann::json{{"study", "accuracy"}, {"provenance", made}, {"speed", as_json(speed_of(results))}, {"cases", cases}}.dump(1) + "\n");
   write_text_atomically(out / "accuracy.md", as_markdown(results, made));
   try {
     for (const CaseResult& r : results) write_charts(r, out / "accuracy");

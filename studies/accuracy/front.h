@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "studies/accuracy/case.h"
+#include "studies/machines/limits.h"
 
 namespace bake::studies::accuracy {
 
@@ -26,7 +27,8 @@ struct Point {
   std::map<std::string, double> parts;
   double particles = 0, steps = 0, particle_steps = 0;
   Spread wall_s, cpu_s, load_average;
-  bool same_error = true;  ///< in every repeat, bit for bit
+  std::vector<bench::Speed> speeds;  ///< of the machine, before each repeat; empty in data of old
+  bool same_error = true;            ///< in every repeat, bit for bit
 
   bool failed() const { return !failure.empty(); }
 };

@@ -57,6 +57,19 @@ std::string knobs_table(const CaseResult& result) {
   return text;
 }
 
+std::string range(const Spread& s) {
+  return s.high > 1.02 * s.low ? fmt::format("{:.0f} ({:.0f} to {:.0f})", s.median, s.low, s.high) : fmt::format("{:.0f}", s.median);
+}
+
+/// What one of the machine's cores could do at the time.
+std::string limits(const MachineSpeed& speed) {
+  if (speed.known == 0) return "its own speed was not measured beside.";
+  return fmt::format(
+      "one thread of it moved {} GB/s (triad) and did {} GFLOP/s in single and {} in double precision (multiply-adds in registers), "
+      "measured by the same program before each pass.",
+      range(speed.triad_GB_per_s), range(speed.single_GFLOPs), range(speed.double_GFLOPs));
+}
+
 /// How many times and under which load.
 std::string timing(const std::vector<CaseResult>& results) {
   int fewest = std::numeric_limits<int>::max();
@@ -135,8 +148,9 @@ std::string as_markdown(const std::vector<CaseResult>& results, const nlohmann::
       "tables, if no finer grid of the same setting has a larger one. A particle-step is not the same work for every setting: a cubic "
       "kernel has 64 nodes instead of 27, double precision halves the lanes, backward Euler solves a system in each step; processor time "
       "tells that.\n\n";
-  text += fmt::format("{} Machine: {}. Every finished measurement stands in accuracy/*.jsonl with its date and load.\n", timing(results),
-                      provenance.at("machine").at("cpu").get<std::string>());
+  text +=
+      fmt::format("{} Machine: {}; {} Every finished measurement stands in accuracy/*.jsonl with its date, the load and these limits.\n",
+                  timing(results), provenance.at("machine").at("cpu").get<std::string>(), limits(speed_of(results)));
   for (const CaseResult& r : results) text += section(r);
   return text;
 }

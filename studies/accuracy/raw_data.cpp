@@ -85,19 +85,24 @@ const std::vector<json>& RawData::of(const Identity& identity) const {
   return at == lines_.end() ? none : at->second;
 }
 
-void RawData::append(const Identity& identity, const Found& found) {
-  const json line{{"what", identity.what},
-                  {"by", identity.by},
-                  {"found",
-                   {{"error", number_or_null(found.error)},
-                    {"parts", found.parts},
-                    {"failure", found.failure},
-                    {"particles", found.particles},
-                    {"steps", found.steps},
-                    {"particle_steps", found.particle_steps},
-                    {"wall_s", found.wall_s},
-                    {"cpu_s", found.cpu_s}}},
-                  {"when", {{"date", provenance().at("date")}, {"load_average", load_average()}}}};
+void RawData::append(const Identity& identity, const Found& found, const bench::Speed& speed) {
+  const json line{
+      {"what", identity.what},
+      {"by", identity.by},
+      {"found",
+       {{"error", number_or_null(found.error)},
+        {"parts", found.parts},
+        {"failure", found.failure},
+        {"particles", found.particles},
+        {"steps", found.steps},
+        {"particle_steps", found.particle_steps},
+        {"wall_s", found.wall_s},
+        {"cpu_s", found.cpu_s}}},
+      {"when",
+       {{"date", provenance().at("date")},
+        {"load_average", load_average()},
+        {"speed",
+         {{"triad_GB_per_s", speed.triad_GB_per_s}, {"single_GFLOPs", speed.single_GFLOPs}, {"double_GFLOPs", speed.double_GFLOPs}}}}}};
   std::filesystem::create_directories(file_.parent_path());
   const int file = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (file < 0) cannot_write(file_);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "studies/accuracy/case.h"
+#include "studies/machines/limits.h"
 
 namespace bake::studies::accuracy {
 
@@ -27,8 +28,9 @@ class RawData {
 
   /// Measurements with this identity, in the order in which they were made.
   const std::vector<nlohmann::json>& of(const Identity& identity) const;
-  /// Adds one and flushes it to disk before it returns. Throws OutputError.
-  void append(const Identity& identity, const Found& found);
+  /// Adds one, with the load and with the speed that one thread had shortly before, and flushes it to disk before it returns. Throws
+  /// OutputError.
+  void append(const Identity& identity, const Found& found, const bench::Speed& speed);
 
  private:
   std::filesystem::path file_;

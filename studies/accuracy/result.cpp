@@ -40,6 +40,11 @@ Point point_of(const Variant& v, const std::vector<json>& lines) {
   p.wall_s = spread(lines, "found", "wall_s");
   p.cpu_s = spread(lines, "found", "cpu_s");
   p.load_average = spread(lines, "when", "load_average");
+  for (const json& line : lines)
+    if (const json& when = line.at("when"); when.contains("speed")) {
+      const json& s = when.at("speed");
+      p.speeds.push_back({s.at("triad_GB_per_s"), s.at("single_GFLOPs"), s.at("double_GFLOPs")});
+    }
   p.same_error =
       std::all_of(lines.begin(), lines.end(), [&](const json& line) { return line.at("found").at("error") == first.at("error"); });
   return p;
@@ -120,6 +125,29 @@ bool CaseResult::falls() const {
   const Curve* curve = default_curve();
   if (!curve || curve->points.size() < 2) return true;
   return curve->points.back().error < curve->points.front().error;
+}
+
+MachineSpeed speed_of(const std::vector<CaseResult>& results) {
+  std::vector<double> triad, in_single, in_double;
+  for (const CaseResult& r : results)
+    for (const Curve& curve : r.curves())
+      for (const Point& p : curve.points)
+        for (const bench::Speed& s : p.speeds) {
+          triad.push_back(s.triad_GB_per_s);
+          in_single.push_back(s.single_GFLOPs);
+          in_double.push_back(s.double_GFLOPs);
+        }
+  if (triad.empty()) return {};
+  return {static_cast<int>(triad.size()), spread_of(triad), spread_of(in_single), spread_of(in_double)};
+}
+
+json as_json(const MachineSpeed& speed) {
+  if (speed.known == 0) return nullptr;
+  return {{"threads", 1},
+          {"measurements", speed.known},
+          {"triad_GB_per_s", as_json(speed.triad_GB_per_s)},
+          {"single_GFLOPs", as_json(speed.single_GFLOPs)},
+          {"double_GFLOPs", as_json(speed.double_GFLOPs)}};
 }
 
 std::string words_of(const Point& point) { return fmt::format("{}, {} cells", point.variant.label, point.variant.cells); }

@@ -44,12 +44,20 @@ class CaseResult {
   std::vector<Curve> curves_;
 };
 
+/// The machine's own speed with one thread, over all measurements that know it.
+struct MachineSpeed {
+  int known = 0;  ///< measurements
+  Spread triad_GB_per_s, single_GFLOPs, double_GFLOPs;
+};
+MachineSpeed speed_of(const std::vector<CaseResult>& results);
+
 /// "default, 20 cells".
 std::string words_of(const Point& point);
 /// "3.2 %", two digits.
 std::string percent(double share);
 
 nlohmann::json as_json(const CaseResult& result);
+nlohmann::json as_json(const MachineSpeed& speed);  ///< null if it is not known
 /// Sentences about a case, from its numbers.
 std::vector<std::string> conclusions(const CaseResult& result);
 /// The page.

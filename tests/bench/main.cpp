@@ -11,7 +11,7 @@
 
 #include "solver/core/lanes.h"
 #include "solver/io/provenance.h"
-#include "tests/bench/limits.h"
+#include "studies/machines/limits.h"
 #include "tests/bench/steps.h"
 #include "tests/bench/summary.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "tests/bench/limits.h"
+#include "studies/machines/limits.h"
 
 namespace bake::bench {
 

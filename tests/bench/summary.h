@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "tests/bench/limits.h"
+#include "studies/machines/limits.h"
 
 namespace bake::bench {
 

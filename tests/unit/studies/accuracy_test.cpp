@@ -116,7 +116,15 @@ TEST_F(AStudy, MeasuresWritesAndRepeatsNothing) {
   ASSERT_EQ(points.size(), 3u);
   EXPECT_LT(points[2].at("error"), points[0].at("error").get<double>() / 8) << "second order: a quarter twice";
   EXPECT_GT(bar.at("front").size(), 1u);
-  EXPECT_NE(read_text_file(folder.path() / "accuracy.md").find("half the error costs"), std::string::npos);
+  EXPECT_EQ(all.at("speed").at("measurements"), lines);
+  for (const char* limit : {"triad_GB_per_s", "single_GFLOPs", "double_GFLOPs"}) {
+    // between a processor of long ago and one of the future
+    EXPECT_GT(all.at("speed").at(limit).at("low"), 0.1) << limit;
+    EXPECT_LT(all.at("speed").at(limit).at("high"), 1e4) << limit;
+  }
+  const std::string page = read_text_file(folder.path() / "accuracy.md");
+  EXPECT_NE(page.find("half the error costs"), std::string::npos);
+  EXPECT_NE(page.find("GB/s (triad)"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "accuracy/elastic_bar.svg"));
   ASSERT_TRUE(run());
   EXPECT_EQ(raw_text(), first);

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "tests/bench/limits.h"
+#include "studies/machines/limits.h"
 
-#include <benchmark/benchmark.h>
 #include <omp.h>
 
 #include <algorithm>
 #include <vector>
 
 #include "solver/core/lanes.h"
-#include "tests/bench/stopwatch.h"
+#include "solver/io/progress.h"
 
 namespace bake::bench {
 
@@ -16,14 +15,20 @@ namespace {
 
 constexpr int k_trials = 5;
 
+/// The compiler must have the value, and cannot know what becomes of it.
+template <class Value>
+void keep(Value& value) {
+  asm volatile("" : "+m"(value) : : "memory");
+}
+
 /// Seconds of the fastest trial.
 template <class Work>
 double fastest(Work work) {
   double best = 1e30;
   for (int trial = 0; trial < k_trials; ++trial) {
-    const Stopwatch watch;
+    const double began = steady_seconds();
     work();
-    best = std::min(best, watch.wall_s());
+    best = std::min(best, steady_seconds() - began);
   }
   return best;
 }
@@ -36,8 +41,7 @@ double triad_GB_per_s(int threads) {
   const double seconds = fastest([&] {
 #pragma omp parallel for simd num_threads(threads) schedule(static)
     for (std::int64_t i = 0; i < n; ++i) to[i] = x[i] + 0.5 * y[i];
-    benchmark::DoNotOptimize(to[n / 2]);
-    benchmark::ClobberMemory();
+    keep(to[n / 2]);
   });
   return 24e-9 * static_cast<double>(n) / seconds;
 }
@@ -48,13 +52,13 @@ constexpr std::int64_t k_rounds = 4'000'000;
 template <class Real>
 void multiply_add() {
   Lanes<Real> sum[k_sums], factor = lanes<Real>(Real(0.999)), term = lanes<Real>(Real(0.001));
-  benchmark::DoNotOptimize(factor);
-  benchmark::DoNotOptimize(term);
+  keep(factor);
+  keep(term);
   for (int i = 0; i < k_sums; ++i) sum[i] = lanes<Real>(static_cast<Real>(i));
   for (std::int64_t round = 0; round < k_rounds; ++round)
 #pragma GCC unroll 12
     for (int i = 0; i < k_sums; ++i) sum[i] = sum[i] * factor + term;
-  for (int i = 0; i < k_sums; ++i) benchmark::DoNotOptimize(sum[i]);
+  for (int i = 0; i < k_sums; ++i) keep(sum[i]);
 }
 
 template <class Real>
@@ -68,9 +72,15 @@ double GFLOPs(int threads) {
 
 }  // namespace
 
+Speed measure_speed(int threads) { return {triad_GB_per_s(threads), GFLOPs<float>(threads), GFLOPs<double>(threads)}; }
+
 Limits measure_limits() {
   const int all = omp_get_max_threads();
-  return {all, {triad_GB_per_s(1), triad_GB_per_s(all)}, {GFLOPs<float>(1), GFLOPs<float>(all)}, {GFLOPs<double>(1), GFLOPs<double>(all)}};
+  const Speed one = measure_speed(1), shared = measure_speed(all);
+  return {all,
+          {one.triad_GB_per_s, shared.triad_GB_per_s},
+          {one.single_GFLOPs, shared.single_GFLOPs},
+          {one.double_GFLOPs, shared.double_GFLOPs}};
 }
 
 }  // namespace bake::bench
