@@ -60,7 +60,7 @@ int measure(std::vector<Task>& tasks, int repeats, bool long_ones) {
     for (Task& t : tasks) {
       if (!t.needed(pass, long_ones)) continue;
       if (!speed) speed = bench::measure_speed(1);
-      const Found found = t.of->measure(t.scene);
+      const Found found = t.of->measure(t.scene, t.variant.by);
       t.raw->append(t.identity, found, *speed);
       ++measured;
       fmt::print(stderr, "{}, {}, {} cells, {} of {}: {}; {:.2g} particle-steps, {:.2g} s\n", t.of->name, t.variant.label, t.variant.cells,

@@ -16,12 +16,16 @@ struct Scene;
 
 namespace bake::studies::accuracy {
 
+/// Who takes the steps: the solver, or the textbook baker (reference/textbook), which stages them as the paper does.
+enum class By { solver, textbook };
+
 /// One way to compute a case: how fine, and what differs from the default.
 struct Variant {
   std::string label;                   ///< of its curve: "default", "cubic kernel"
   int cells = 0;                       ///< that the case's length is divided into: what dx is
   int per_cell = 0;                    ///< particles in a cell; 0: as the case has them
   std::vector<std::string> overrides;  ///< `key=value` of the scene
+  By by = By::solver;
 };
 
 /// What one run of a variant found.
@@ -47,7 +51,7 @@ struct Case {
   Effort from = Effort::quick;     ///< the least effort that measures it unless it is asked for by name
   int version = 1;                 ///< raised when `measure` changes: what was stored before is then measured anew
   std::function<Scene(const Variant&)> scene_of;
-  std::function<Found(const Scene&)> measure;
+  std::function<Found(const Scene&, By)> measure;
   std::function<std::string()> missing = [] { return std::string(); };  ///< why it cannot be measured, else empty
   /// Without an exact solution: makes what it is measured against, in a folder where an unfinished run goes on.
   std::function<void(const std::filesystem::path& folder)> make_reference = {};

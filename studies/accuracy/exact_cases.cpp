@@ -49,10 +49,10 @@ Case heated_slab() {
   c.cells = {5, 10, 15};
   c.full_cells = {20, 30, 40};
   c.quality = {20, 40, 80};
-  c.knobs = {"step", "kernel", "particles", "precision", "euler"};
+  c.knobs = {"step", "kernel", "particles", "precision", "euler", "textbook"};
   c.scene_of = [](const Variant& v) { return scene_of_file("teaching/heated_slab", length, v, {"run.frame_rate_per_s=0.002"}); };
-  c.measure = [](const Scene& scene) {
-    return simulate(scene, times, [](const std::vector<Snapshot>& seen) {
+  c.measure = [](const Scene& scene, By by) {
+    return simulate(scene, by, times, [](const std::vector<Snapshot>& seen) {
       double sum = 0;
       for (std::size_t i = 0; i < times.size(); ++i) {
         const auto& theta = seen[i]["temperature"];
@@ -76,14 +76,14 @@ Case cooling_sphere() {
   c.cells_of = "the radius";
   c.cells = {3, 4, 6, 8};
   c.full_cells = {12, 16, 24};
-  c.knobs = {"step", "kernel", "particles", "precision", "euler", "surface"};
+  c.knobs = {"step", "kernel", "particles", "precision", "euler", "surface", "textbook"};
   c.scene_of = [](const Variant& v) {
     bake::studies::Setting setting = ball_in_air::setting(v.cells, 1);
     setting.end_s = end;
     return scene_of(setting, v);
   };
-  c.measure = [](const Scene& scene) {
-    return simulate(scene, {end}, [](const std::vector<Snapshot>& seen) {
+  c.measure = [](const Scene& scene, By by) {
+    return simulate(scene, by, {end}, [](const std::vector<Snapshot>& seen) {
       const auto exact = [](double r) {
         double sum = 0;
         for (int n = 1; n < 30; ++n) {
@@ -108,14 +108,14 @@ Case barenblatt() {
   c.cells_of = "the bar's 1 m";
   c.cells = {16, 32, 64};
   c.full_cells = {128, 256};
-  c.knobs = {"step", "kernel", "particles", "precision"};
+  c.knobs = {"step", "kernel", "particles", "precision", "textbook"};
   c.scene_of = [](const Variant& v) {
     Variant bounded = v;  // water that runs away asks for ever smaller steps: such a run fails, and does not go on for ever
     bounded.overrides.push_back(fmt::format("time.smallest_step_s={}", 1e-5 * source::duration_s()));
     return scene_of(source::bar(v.cells), bounded);
   };
-  c.measure = [](const Scene& scene) {
-    return simulate(scene, {source::duration_s()}, [](const std::vector<Snapshot>& seen) { return source::saturation_error(seen[0]); });
+  c.measure = [](const Scene& scene, By by) {
+    return simulate(scene, by, {source::duration_s()}, [](const std::vector<Snapshot>& seen) { return source::saturation_error(seen[0]); });
   };
   return c;
 }
@@ -129,10 +129,10 @@ Case elastic_bar() {
   c.cells_of = "the bar's 1 m";
   c.cells = {8, 16, 32};
   c.full_cells = {64, 128};
-  c.knobs = {"step", "kernel", "transfer", "particles", "precision"};
+  c.knobs = {"step", "kernel", "transfer", "particles", "precision", "textbook"};
   c.scene_of = [](const Variant& v) { return scene_of(first_mode::bar(v.cells, speed), v); };
-  c.measure = [](const Scene& scene) {
-    return simulate(scene, quarters, [](const std::vector<Snapshot>& seen) {
+  c.measure = [](const Scene& scene, By by) {
+    return simulate(scene, by, quarters, [](const std::vector<Snapshot>& seen) {
       const auto share = [&](int quarter) { return first_mode::share(seen[static_cast<std::size_t>(quarter - 1)], speed); };
       // where the share is zero it changes by pi per second; both zeros are half a step late, as velocities are in symplectic Euler
       return root_mean_square({(share(1) + share(3)) / std::numbers::pi, share(2) + 1, share(4) - 1});
@@ -151,11 +151,11 @@ Case vortex() {
   c.full_cells = {32, 48, 64, 96};
   c.knobs = {"step", "kernel", "transfer", "particles", "precision"};
   c.scene_of = [](const Variant& v) { return scene_of(rings::setting(v.cells, true), v); };
-  c.measure = [](const Scene& scene) {
+  c.measure = [](const Scene& scene, By by) {
     const Compare compare = [](const std::vector<Snapshot>& seen) {
       return place_error(seen[0], seen[1], rings::furthest_s, rings::in_annulus, rings::position) / rings::amplitude;
     };
-    return simulate(scene, {0, rings::furthest_s}, compare, rings::force(true));
+    return simulate(scene, by, {0, rings::furthest_s}, compare, rings::force(true));
   };
   return c;
 }

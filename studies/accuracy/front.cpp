@@ -41,7 +41,7 @@ std::vector<const Point*> front(const std::vector<Curve>& curves, Cost cost) {
   std::vector<const Point*> all;
   for (const Curve& c : curves)
     for (const Point& p : c.points)
-      if (std::isfinite(p.settled)) all.push_back(&p);
+      if (std::isfinite(p.settled) && p.variant.by == By::solver) all.push_back(&p);
   std::sort(all.begin(), all.end(), [&](const Point* a, const Point* b) {
     return std::pair{cost(*a), a->settled} < std::pair{cost(*b), b->settled};
   });

@@ -48,7 +48,7 @@ inline double cpu_seconds(const Point& p) { return p.cpu_s.median; }
 /// Fills `settled` of every point. A curve that failed on a finer grid settles nothing.
 void settle(Curve& curve);
 
-/// Points than which none is both cheaper and has a settled error as small, by rising cost: errors fall along it.
+/// Points of the solver than which none is both cheaper and has a settled error as small, by rising cost: errors fall along it.
 std::vector<const Point*> front(const std::vector<Curve>& curves, Cost cost);
 
 /// The cheapest point whose settled error is at most `error`; nullptr if there is none.

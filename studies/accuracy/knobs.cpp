@@ -13,6 +13,7 @@ struct Setting {
   const char* label;
   std::vector<std::string> overrides;
   int per_cell = 0;
+  By by = By::solver;
 };
 
 // Defaults of the solver, which all cases start from: half the step that the rule would still allow, quadratic kernel, APIC, single
@@ -37,6 +38,7 @@ const std::vector<Setting>& all_settings() {
       {"inertia", "inertia x 8", {"motion.inertia_scale=8"}},
       {"inertia", "inertia x 64", {"motion.inertia_scale=64"}},
       {"surface", "published surface", {"surface.form=published"}},
+      {"textbook", "textbook (staged, double)", {"run.precision=double"}, 0, By::textbook},
       // together
       {"particles", "1 a cell, step x 2", {"time.safety=1"}, 1},
       {"kernel", "cubic kernel, step x 2", {"grid.kernel=cubic", "time.safety=1"}},
@@ -66,16 +68,23 @@ std::vector<int> cells_of_default(const Case& c, Effort effort) {
   return sorted(cells);
 }
 
+std::vector<int> cells_of(const Case& c, const Setting& s, Effort effort) {
+  if (s.by == By::solver) return cells_of_every_curve(c, effort);
+  std::vector<int> coarsest = c.cells;  // the textbook is slow
+  coarsest.resize(std::min<std::size_t>(coarsest.size(), effort == Effort::full ? 3 : 2));
+  return coarsest;
+}
+
 bool turns(const Case& c, const std::string& knob) { return std::find(c.knobs.begin(), c.knobs.end(), knob) != c.knobs.end(); }
 
 }  // namespace
 
 std::vector<Variant> variants_of(const Case& c, Effort effort) {
   std::vector<Variant> variants;
-  for (const int n : cells_of_default(c, effort)) variants.push_back({"default", n, 0, {}});
+  for (const int n : cells_of_default(c, effort)) variants.push_back({"default", n, 0, {}, By::solver});
   for (const Setting& s : all_settings())
     if (turns(c, s.knob))
-      for (const int n : cells_of_every_curve(c, effort)) variants.push_back({s.label, n, s.per_cell, s.overrides});
+      for (const int n : cells_of(c, s, effort)) variants.push_back({s.label, n, s.per_cell, s.overrides, s.by});
   return variants;
 }
 

@@ -97,6 +97,21 @@ std::string section(const CaseResult& result) {
   return text + "\n" + front_table(result) + "\n" + goals_table(result) + "\n" + knobs_table(result);
 }
 
+/// The paper's staged step beside the fused one, both in double precision and with the same steps; empty if it was not measured.
+std::string staged(const CaseResult& result) {
+  for (const Curve& curve : result.curves()) {
+    if (curve.points.front().variant.by != By::textbook) continue;
+    const auto [fused, textbook] = finest_common(result.curve_of("double"), &curve);
+    if (!fused) continue;
+    return fmt::format(
+        "The paper's staged step, as the textbook baker takes it, has at {} cells an error of {}, that of the fused step with the same dt "
+        "in double precision to {:.0e} of it, and takes {} times its processor time: an upper bound of what staging costs.",
+        textbook->variant.cells, percent(textbook->error), std::max(std::abs(textbook->error / fused->error - 1), 1e-16),
+        times(textbook->cpu_s.median / fused->cpu_s.median));
+  }
+  return "";
+}
+
 std::string listed(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
 
 }  // namespace
@@ -115,7 +130,7 @@ std::vector<std::string> conclusions(const CaseResult& result) {
   std::vector<std::string> better, worse, failed;
   for (const Curve& curve : result.curves()) {
     const auto [a, b] = result.common(curve);
-    if (curve.label == "default") continue;
+    if (curve.label == "default" || curve.points.front().variant.by == By::textbook) continue;
     if (std::any_of(curve.points.begin(), curve.points.end(), [](const Point& p) { return p.failed(); })) failed.push_back(curve.label);
     if (!b) continue;
     const double error = b->error / a->error;
@@ -127,6 +142,7 @@ std::vector<std::string> conclusions(const CaseResult& result) {
   if (!better.empty()) all.push_back(fmt::format("Less error than the default at the same dx: {}.", listed(better)));
   if (!worse.empty()) all.push_back(fmt::format("More error at the same dx: {}.", listed(worse)));
   if (!failed.empty()) all.push_back(fmt::format("Failed at some dx: {}.", listed(failed)));
+  if (const std::string sentence = staged(result); !sentence.empty()) all.push_back(sentence);
   for (const QualityResult& q : result.qualities())
     all.push_back(q.excess_particle_steps <= k_allowed_excess
                       ? fmt::format("The scene's {} is {} ({}), {} times the cheapest that is as good: within {}.", q.quality,
@@ -147,7 +163,12 @@ std::string as_markdown(const std::vector<CaseResult>& results, const nlohmann::
       "from the solver's defaults, at several dx; some are turned together. An error counts as *settled*, and only then for fronts and "
       "tables, if no finer grid of the same setting has a larger one. A particle-step is not the same work for every setting: a cubic "
       "kernel has 64 nodes instead of 27, double precision halves the lanes, backward Euler solves a system in each step; processor time "
-      "tells that.\n\n";
+      "tells that.\n\n"
+      "*Textbook* is the paper's step in its stages, scatter, grid, gather, as [reference/textbook](../reference/textbook/README.md) takes "
+      "it, with the lengths of step that the solver chooses. It is written to be read: double precision, no vectors, a dense grid over the "
+      "whole domain, cleared in each step. So its time bounds from above what staging costs and is no measure of a staged program that is "
+      "written for speed; it is on no front. It has the coarsest dx only; the vortex, whose force it does not know, and cookie and "
+      "bread, too large for it, are without it.\n\n";
   text +=
       fmt::format("{} Machine: {}; {} Every finished measurement stands in accuracy/*.jsonl with its date, the load and these limits.\n",
                   timing(results), provenance.at("machine").at("cpu").get<std::string>(), limits(speed_of(results)));

@@ -40,12 +40,10 @@ json number_or_null(double value) { return std::isfinite(value) ? json(value) : 
 Identity identity_of(const Case& c, const Variant& v, const Scene& scene) {
   static const json made = provenance();
   const json& program = made.at("program");
-  return {{{"case", c.name},
-           {"version", c.version},
-           {"cells", v.cells},
-           {"per_cell", v.per_cell},
-           {"overrides", v.overrides},
-           {"scene", scene_fingerprint(scene)}},
+  json what{{"case", c.name},         {"version", c.version},     {"cells", v.cells},
+            {"per_cell", v.per_cell}, {"overrides", v.overrides}, {"scene", scene_fingerprint(scene)}};
+  if (v.by == By::textbook) what["by"] = "textbook";
+  return {what,
           {{"solver", program.at("solver")},
            {"compiler", program.at("compiler")},
            {"flags", program.at("flags")},

@@ -2,7 +2,6 @@
 #include "studies/accuracy/reference.h"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <cmath>
 #include <fstream>
@@ -15,8 +14,8 @@
 #include "solver/scene/input_error.h"
 #include "solver/scene/resolved.h"
 #include "solver/scene/scene.h"
+#include "studies/accuracy/running.h"
 #include "studies/accuracy/scene_file.h"
-#include "studies/accuracy/simulate.h"
 
 namespace bake::studies::accuracy {
 
@@ -34,28 +33,27 @@ std::map<std::string, double> values_of(const Results& run, const std::vector<Qu
 }
 
 /// Steps through the scene and leaves what Results reads: first and last frame, ledger, run.json.
-void run_for_results(const Scene& scene, const fs::path& folder, Found& found) {
-  omp_set_num_threads(1);
-  const auto simulation = Simulation::begin(scene);
-  LedgerFile ledger = LedgerFile::create(folder / "ledger.csv", ledger_columns());
-  ledger.append(simulation->ledger_row());
-  simulation->write_frame_file(folder / "frames" / frame_name(0));
+void run_for_results(const Scene& scene, By by, const fs::path& folder, Found& found) {
+  const auto running = begin(scene, by);
+  LedgerFile ledger = LedgerFile::create(folder / "ledger.csv", running->ledger_names());
+  ledger.append(running->ledger_row());
+  running->write_frame_file(folder / "frames" / frame_name(0));
   try {
-    advance_timed(*simulation, scene.run.end_s, found);
+    running->advance(scene.run.end_s, found);
   } catch (const RunError& error) {
     found.failure = error.what();
   }
-  count(*simulation, found);
-  ledger.append(simulation->ledger_row());
-  simulation->write_frame_file(folder / "frames" / frame_name(1));
+  running->count(found);
+  ledger.append(running->ledger_row());
+  running->write_frame_file(folder / "frames" / frame_name(1));
   write_text_atomically(folder / "run.json", json{{"summary", {{"state", "done"}}}}.dump());
 }
 
-Found measure(const ReferencedScene& of, const Scene& scene) {
+Found measure(const ReferencedScene& of, const Scene& scene, By by) {
   Found found;
   const ScratchFolder scratch;  // for the two frames that metrics are taken from
   fs::create_directories(scratch / "frames");
-  run_for_results(scene, scratch.path(), found);
+  run_for_results(scene, by, scratch.path(), found);
   if (!found.failure.empty()) return found;
   const json reference = json::parse(std::ifstream(reference_file(of.name)));
   const auto values = values_of(Results(scratch.path()), of.quantities);
@@ -106,10 +104,16 @@ void refer(Case& c, const ReferencedScene& of) {
   c.name = of.name;
   c.scene = of.scene;
   c.scene_of = [of](const Variant& v) { return scene_with_frames(of, v, 1); };
-  c.measure = [of](const Scene& scene) { return measure(of, scene); };
+  c.measure = [of](const Scene& scene, By by) { return measure(of, scene, by); };
   c.missing = [of] {
-    if (fs::exists(reference_file(of.name))) return std::string();
-    return fmt::format("no reference/accuracy/{0}.json; `bake study accuracy --reference {0}` makes it", of.name);
+    const auto none = [&](const std::string& what) {
+      return fmt::format("{1} reference/accuracy/{0}.json; `bake study accuracy --reference {0}` makes it", of.name, what);
+    };
+    if (!fs::exists(reference_file(of.name))) return none("no");
+    const json reference = json::parse(std::ifstream(reference_file(of.name)));
+    for (const Quantity& q : of.quantities)
+      if (!reference.at("quantities").contains(q.name)) return none(fmt::format("no \"{}\" in", q.name));
+    return std::string();
   };
   c.make_reference = [of](const fs::path& folder) { make_reference(of, folder); };
 }

@@ -34,7 +34,7 @@ Case drying_cube() {
   c.cells = {4, 6, 8};
   c.full_cells = {12, 16};
   c.quality = {8, 16, 32};
-  c.knobs = {"step", "kernel", "precision", "euler", "surface"};
+  c.knobs = {"step", "kernel", "precision", "euler", "surface", "textbook"};
   refer(c, {"drying_cube",
             "teaching/drying_cube",
             0.04,
@@ -52,7 +52,7 @@ Case rising_ball() {
   c.cells = {3, 4, 5};
   c.full_cells = {7, 10};
   c.quality = {5, 10, 20};
-  c.knobs = {"step", "kernel", "transfer", "precision", "p_ref", "inertia", "surface"};
+  c.knobs = {"step", "kernel", "transfer", "precision", "p_ref", "inertia", "surface", "textbook"};
   c.from = Effort::usual;
   refer(c, {"rising_ball",
             "teaching/rising_ball",

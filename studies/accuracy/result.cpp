@@ -57,6 +57,7 @@ json as_json(const Point& p) {
           {"cells", p.variant.cells},
           {"overrides", p.variant.overrides},
           {"particles_per_cell", p.variant.per_cell},
+          {"by", p.variant.by == By::textbook ? "textbook" : "solver"},
           {"repeats", p.repeats},
           {"failure", p.failure},
           {"error", p.error},
@@ -104,13 +105,17 @@ std::vector<QualityResult> CaseResult::qualities() const {
   return all;
 }
 
-std::pair<const Point*, const Point*> CaseResult::common(const Curve& curve) const {
+const Curve* CaseResult::curve_of(const std::string& label) const {
+  const auto at = std::find_if(curves_.begin(), curves_.end(), [&](const Curve& c) { return c.label == label; });
+  return at == curves_.end() ? nullptr : &*at;
+}
+
+std::pair<const Point*, const Point*> finest_common(const Curve* a, const Curve* b) {
   std::pair<const Point*, const Point*> found{nullptr, nullptr};
-  const Curve* base = default_curve();
-  if (!base) return found;
-  for (const Point& a : base->points)
-    for (const Point& b : curve.points)
-      if (a.variant.cells == b.variant.cells && !a.failed() && !b.failed()) found = {&a, &b};
+  if (!a || !b) return found;
+  for (const Point& p : a->points)
+    for (const Point& q : b->points)
+      if (p.variant.cells == q.variant.cells && !p.failed() && !q.failed()) found = {&p, &q};
   return found;
 }
 

@@ -20,6 +20,9 @@ struct QualityResult {
 inline constexpr double k_allowed_excess = 1.5;
 inline constexpr double k_goals[] = {0.1, 0.03, 0.01, 0.003};
 
+/// Finest grid that both curves have without failing; nullptr without one.
+std::pair<const Point*, const Point*> finest_common(const Curve* a, const Curve* b);
+
 class CaseResult {
  public:
   /// From the raw data, every variant that is there.
@@ -31,8 +34,9 @@ class CaseResult {
   bool empty() const { return curves_.empty(); }
   const Curve* default_curve() const;
   std::vector<QualityResult> qualities() const;
-  /// Finest grid that both the default and the curve have without failing: index pairs of points; nullptr without one.
-  std::pair<const Point*, const Point*> common(const Curve& curve) const;
+  const Curve* curve_of(const std::string& label) const;  ///< nullptr if it is not there
+  /// Finest grid that both the default and the curve have without failing; nullptr without one.
+  std::pair<const Point*, const Point*> common(const Curve& curve) const { return finest_common(default_curve(), &curve); }
 
   /// In every repeat of every variant the error is the same, bit for bit.
   bool same_errors() const;

@@ -2,8 +2,7 @@
 // A scene run for its exact solution: stepped, timed, looked at, compared.
 #pragma once
 
-#include "solver/baker/simulation.h"
-#include "studies/accuracy/case.h"
+#include "studies/accuracy/running.h"
 
 namespace bake::studies::accuracy {
 
@@ -12,14 +11,6 @@ using Compare = std::function<double(const std::vector<Snapshot>&)>;
 
 /// Runs the scene with one thread through `times` (rising; 0 is the start). A run that fails, or an error that is no number, is a Found
 /// with its failure. Throws InputError.
-Found simulate(const Scene& scene, const std::vector<double>& times, const Compare& compare, const NodalForce& force = {});
-
-/// Processor time of this program [s].
-double processor_seconds();
-
-/// Steps to `time` and adds what that took; throws RunError.
-void advance_timed(Simulation& simulation, double time, Found& found);
-/// Numbers of particles and steps.
-void count(const Simulation& simulation, Found& found);
+Found simulate(const Scene& scene, By by, const std::vector<double>& times, const Compare& compare, const NodalForce& force = {});
 
 }  // namespace bake::studies::accuracy

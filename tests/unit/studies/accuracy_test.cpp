@@ -61,6 +61,13 @@ TEST(TheFront, FallsWithTheCostAndLeavesOutWhatIsBeaten) {
   EXPECT_EQ(excess(curves, *best[1], particle_steps), 1);
 }
 
+TEST(TheFront, IsOfTheSolverAlone) {
+  std::vector<Curve> curves{curve("default", {point(4, 0.1, 10)}), curve("textbook", {point(4, 0.05, 1)})};
+  curves[1].points[0].variant.by = By::textbook;
+  ASSERT_EQ(front(curves, particle_steps).size(), 1u);
+  EXPECT_EQ(front(curves, particle_steps)[0]->particle_steps, 10);
+}
+
 TEST(TheExponent, SaysWhatHalvingTheErrorCosts) {
   const Curve c = curve("default", {point(4, 0.1, 1), point(8, 0.05, 16), point(16, 0.025, 256)});
   EXPECT_NEAR(*order(c), 1, 1e-12);
@@ -77,6 +84,23 @@ TEST(EveryVariant, IsAScene) {
       ++variants;
     }
     EXPECT_GT(variants, 10) << c.name;
+  }
+}
+
+/// Both write the frames and ledgers that quantities of interest are taken from.
+TEST(TheTextbook, FindsTheQuantitiesOfInterestOfTheSolver) {
+  for (const char* name : {"drying_cube", "rising_ball"}) {
+    const Case& c = find_case(name);
+    if (!c.missing().empty()) continue;  // its fine run is made by hand
+    Variant v{"double", 3, 0, {"run.precision=double", "run.end_s=0.1"}, By::solver};
+    if (name == std::string("drying_cube")) v.overrides.back() = "run.end_s=600";
+    const Scene scene = c.scene_of(v);
+    const Found fused = c.measure(scene, By::solver), staged = c.measure(scene, By::textbook);
+    ASSERT_EQ(fused.failure + staged.failure, "");
+    EXPECT_EQ(staged.particle_steps, fused.particle_steps);
+    ASSERT_EQ(staged.parts.size(), fused.parts.size());
+    for (const auto& [quantity, error] : fused.parts)
+      EXPECT_NEAR(staged.parts.at(quantity), error, 1e-9 * error) << name << ", " << quantity;
   }
 }
 
@@ -116,6 +140,18 @@ TEST_F(AStudy, MeasuresWritesAndRepeatsNothing) {
   ASSERT_EQ(points.size(), 3u);
   EXPECT_LT(points[2].at("error"), points[0].at("error").get<double>() / 8) << "second order: a quarter twice";
   EXPECT_GT(bar.at("front").size(), 1u);
+  const auto points_of = [&](const std::string& setting) {
+    for (const auto& c : bar.at("curves"))
+      if (c.at("setting") == setting) return c.at("points");
+    return nlohmann::json::array();
+  };
+  const auto staged = points_of("textbook (staged, double)"), fused = points_of("double");
+  ASSERT_EQ(staged.size(), 2u);
+  for (int i : {0, 1}) {
+    const double error = fused.at(i).at("error");
+    EXPECT_NEAR(staged.at(i).at("error"), error, 1e-9 * error) << "the same mathematics and the same steps";
+    EXPECT_GT(staged.at(i).at("cpu_s").at("median"), 0);
+  }
   EXPECT_EQ(all.at("speed").at("measurements"), lines);
   for (const char* limit : {"triad_GB_per_s", "single_GFLOPs", "double_GFLOPs"}) {
     // between a processor of long ago and one of the future
