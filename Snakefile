@@ -4,6 +4,7 @@
 #   snakemake --cores 2                                          all figures at draft
 #   snakemake --cores 2 results/made/bread-draft                 one figure
 #   snakemake --cores 16 --config quality=standard
+#   snakemake --cores 2 accuracy                                 bake study accuracy --full, its cases side by side
 #   snakemake --slurm --jobs 8 --default-resources runtime=600 --config bake=build/release/bake threads=16
 #                                                                on a Slurm cluster, from a folder that all nodes see
 #
@@ -12,6 +13,9 @@
 # checkpoint, and the same line goes on from there. Build first, with the preset `reference` if the nodes' processors differ.
 #
 # The program is ./bake unless told otherwise (--config bake=build/release/bake). What is up to date is left to it: it simulates nothing twice.
+#
+# `accuracy` measures times: give it cores of one kind that do nothing else, for the page takes only what was measured on such a processor.
+# It goes on where it stood, and writes to results/studies/accuracy (--config study_out=paper).
 import shutil
 import subprocess
 
@@ -24,6 +28,10 @@ RUNS = {}  # of each figure
 for line in subprocess.run([BAKE, "list", "runs"], check=True, text=True, stdout=subprocess.PIPE).stdout.splitlines():
     figure, *run = line.split()
     RUNS.setdefault(figure, []).extend(run)
+
+CASES = subprocess.run([BAKE, "list", "cases"], check=True, text=True, stdout=subprocess.PIPE).stdout.split()
+CASES = config["cases"].split(",") if "cases" in config else CASES  # --config cases=vortex,drying_cube
+STUDY = f"{BAKE} study accuracy --{config.get('effort', 'full')} --out {config.get('study_out', 'results/studies/accuracy')}"
 
 
 localrules: all
@@ -54,3 +62,18 @@ rule figure:
     threads: config.get("threads", 8)
     resources: mem_mb=MEMORY_MB
     shell: "{BAKE} figure {wildcards.figure} --quality {wildcards.quality} --threads {threads} {OPTIONS}"
+
+
+rule accuracy_case:
+    output: touch("results/made/accuracy/{case}")
+    threads: 1
+    resources: mem_mb=MEMORY_MB
+    shell: "{STUDY} --case {wildcards.case} --measure-only"
+
+
+rule accuracy:
+    input: expand("results/made/accuracy/{case}", case=CASES)
+    threads: 1
+    resources: mem_mb=MEMORY_MB
+    params: cases=[f"--case {case}" for case in CASES]
+    shell: "{STUDY} {params.cases}"

@@ -13,6 +13,7 @@ struct StudyOptions {
   bool full = false;               ///< of accuracy: what takes a night, too
   std::filesystem::path out;       ///< folder of the tables; made if it is not there
   std::vector<std::string> cases;  ///< of convergence and accuracy: only these are measured, the others stay as they stand in the folder
+  bool measure_only = false;       ///< of accuracy: touches no file but the raw data of the chosen cases
   std::string reference;           ///< of accuracy: make this case's reference and nothing else
 };
 

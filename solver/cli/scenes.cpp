@@ -10,6 +10,7 @@
 #include "solver/cli/commands.h"
 #include "solver/cli/scene_files.h"
 #include "solver/scene/reader.h"
+#include "studies/accuracy/case.h"
 #include "studies/accuracy/expected.h"
 
 namespace bake::cli {
@@ -60,6 +61,12 @@ int list_runs() {
   return k_success;
 }
 
+/// Those of bake study accuracy, one a line: for programs that hand them out.
+int list_cases() {
+  for (const auto& c : studies::accuracy::all_cases()) fmt::print("{}\n", c.name);
+  return k_success;
+}
+
 int info(const SceneArguments& arguments) {
   const Scene scene = read_scene(find_scene(arguments.scene), {arguments.quality, {}});
   fmt::print("{}\n", describe_scene(scene));
@@ -79,9 +86,11 @@ int validate(const SceneArguments& arguments) {
 void add_scene_commands(CLI::App& app, Action& action) {
   auto what = std::make_shared<std::string>("scenes");
   CLI::App& list_command = *app.add_subcommand("list", "Name the scenes, or the figures and tables of the paper with their status");
-  list_command.add_option("what", *what, "scenes, figures, or runs (of the figures, one a line) [scenes]")
-      ->check(CLI::IsMember({"scenes", "figures", "runs"}));
-  list_command.callback([what, &action] { action = *what == "scenes" ? list_scenes : *what == "figures" ? list_figures : list_runs; });
+  list_command.add_option("what", *what, "scenes, figures, runs (of the figures, one a line), or cases (of bake study accuracy) [scenes]")
+      ->check(CLI::IsMember({"scenes", "figures", "runs", "cases"}));
+  list_command.callback([what, &action] {
+    action = *what == "scenes" ? list_scenes : *what == "figures" ? list_figures : *what == "runs" ? list_runs : list_cases;
+  });
 
   auto arguments = std::make_shared<SceneArguments>();
   CLI::App& info_command = *app.add_subcommand("info", "Say what a run of a scene would be: size, steps, memory");

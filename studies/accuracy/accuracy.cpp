@@ -109,9 +109,10 @@ bool run_accuracy(const StudyOptions& options) {
     return true;
   }
   std::map<std::string, RawData> raw;
-  for (const Case& c : all_cases()) raw.try_emplace(c.name, folder, c.name);
+  const std::vector<const Case*> cases = chosen(options);
+  for (const Case* c : cases) raw.try_emplace(c->name, folder, c->name);
   std::vector<Task> tasks;
-  for (const Case* c : chosen(options)) {
+  for (const Case* c : cases) {
     if (const std::string why = c->missing(); !why.empty()) {
       fmt::print(stderr, "{}: left out: {}\n", c->name, why);
       continue;
@@ -123,9 +124,15 @@ bool run_accuracy(const StudyOptions& options) {
     }
   }
   const int measured = measure(tasks, options.quick ? k_quick_repeats : k_repeats, options.full);
+  if (options.measure_only) {
+    fmt::print("{} measured now; the page is left to a call without --measure-only\n", measured);
+    return true;
+  }
   std::vector<CaseResult> results;
-  for (const Case& c : all_cases())
+  for (const Case& c : all_cases()) {
+    raw.try_emplace(c.name, folder, c.name);  // those that were not chosen are in the page, too
     if (CaseResult r(c, raw.at(c.name)); !r.empty()) results.push_back(std::move(r));
+  }
   write(results, options.out);
   bool held = true;
   for (const CaseResult& r : results) held &= judge(r);

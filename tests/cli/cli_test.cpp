@@ -42,6 +42,7 @@ TEST(CommandLine, WrongCommandsAreRefused) {
   expect_refused(place, "study convergence --case slap", "allowed: slab_cosine, ");
   expect_refused(place, "study surface --case slab_cosine", "allowed: with convergence, accuracy");
   expect_refused(place, "study surface --full", "--full: found with the study \"surface\", allowed: with accuracy");
+  expect_refused(place, "study surface --measure-only", "--measure-only: found with the study \"surface\", allowed: with accuracy");
   expect_refused(place, "study accuracy --quick --full", "--quick excludes --full");
   expect_refused(place, "study accuracy --case slap", "allowed: heated_slab, ");
   expect_refused(place, "study accuracy --reference elastic_bar", "allowed: a case without an exact solution");

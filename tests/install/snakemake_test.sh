@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The Snakefile makes every figure of a small paper, run by run: snakemake_test.sh <source folder> <bake program> on this machine,
-# skipped (77) where snakemake is not installed; with a third word, slurm, through the Slurm cluster that the machine belongs to (three to
-# four minutes: snakemake asks for the state of a job every half minute; run it when the Snakefile changes, where there is a Slurm).
+# The Snakefile makes every figure of a small paper, run by run, and the study of accuracy, case by case:
+# snakemake_test.sh <source folder> <bake program> on this machine, skipped (77) where snakemake is not installed; with a third word,
+# slurm, through the Slurm cluster that the machine belongs to (some minutes: snakemake asks for the state of a job every half minute; run
+# it when the Snakefile changes, where there is a Slurm).
 set -euo pipefail
 command -v snakemake >/dev/null || exit 77
 
@@ -43,7 +44,7 @@ why = "it stays in the domain"
 END
 
 fail() { echo "FAILED: $*"; tail -n 30 log; exit 1; }
-make_all() { HOME=$paper snakemake "${way[@]}" --config "bake=$bake" threads=1 >log 2>&1; }
+make_all() { HOME=$paper snakemake "${way[@]}" "$@" --config "bake=$bake" threads=1 effort=quick cases=elastic_bar,cooling_sphere >log 2>&1; }
 
 make_all || fail "snakemake failed"
 [[ $(grep -c '^rule run:' log) == 2 ]] || fail "not a job for each run"
@@ -56,3 +57,8 @@ done
 sed -i 's/at_most = 0/at_most = -1/' experiments/teaching/figure.toml
 if make_all; then fail "a missed claim was a success"; fi
 [[ ! -e results/made ]] || fail "markers were left behind: a second call would do nothing"
+
+make_all accuracy || fail "the study of accuracy failed"
+[[ $(grep -c '^rule accuracy_case:' log) == 2 ]] || fail "not a job for each case"
+[[ $(grep -c '^## ' results/studies/accuracy/accuracy.md) == 2 ]] || fail "no page of both cases"
+"$bake" study accuracy --quick --case elastic_bar --case cooling_sphere 2>/dev/null | grep -q ' 0 measured now' || fail "not all was measured"

@@ -167,6 +167,25 @@ TEST_F(AStudy, MeasuresWritesAndRepeatsNothing) {
   EXPECT_NE(said.find(" 0 measured now"), std::string::npos) << said;
 }
 
+TEST_F(AStudy, LeavesThePageAndOtherCasesAloneIfItOnlyMeasures) {
+  std::filesystem::create_directories(folder.path() / "accuracy");
+  const auto other = folder.path() / "accuracy/vortex.jsonl";
+  std::ofstream(other) << "{\"what\": ";  // another program is writing it
+  StudyOptions o = options();
+  o.measure_only = true;
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  EXPECT_TRUE(run_accuracy(o));
+  testing::internal::GetCapturedStderr();
+  EXPECT_NE(testing::internal::GetCapturedStdout().find(" measured now; the page is left"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(raw()));
+  EXPECT_EQ(read_text_file(other), "{\"what\": ");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "accuracy.json"));
+  ASSERT_TRUE(run());
+  EXPECT_NE(said.find(" 0 measured now"), std::string::npos) << said;
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "accuracy.json"));
+}
+
 TEST_F(AStudy, GoesOnBehindAHalfWrittenLineAndRefusesADamagedOne) {
   ASSERT_TRUE(run());
   const std::string first = raw_text();
