@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/pictures/path_tracer.h"
 
+#if BAKE_EMBREE_VERSION >= 4
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 #include <omp.h>
 
 #include <Eigen/Geometry>
@@ -19,6 +23,22 @@ namespace {
 
 constexpr float k_pi = std::numbers::pi_v<float>;
 constexpr float k_far = 1e30f;
+
+#if BAKE_EMBREE_VERSION < 4
+// Embree 4 has these without the context, which older versions ask for.
+
+void rtcIntersect1(RTCScene scene, RTCRayHit* query) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  ::rtcIntersect1(scene, &context, query);
+}
+
+void rtcOccluded1(RTCScene scene, RTCRay* ray) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  ::rtcOccluded1(scene, &context, ray);
+}
+#endif
 
 /// PCG-XSH-RR (O'Neill 2014): 32 random bits a call.
 class Random {
@@ -247,9 +267,7 @@ bool PathTracer::Scene::intersect(const Vec3f& from, const Vec3f& towards, Hit& 
   RTCRayHit query{};
   query.ray = {from.x(), from.y(), from.z(), 0, towards.x(), towards.y(), towards.z(), 0, k_far, ~0u, 0, 0};
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene, &context, &query);
+  rtcIntersect1(scene, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
   hit.face_normal = Vec3f(query.hit.Ng_x, query.hit.Ng_y, query.hit.Ng_z).normalized();
   hit.normal = hit.face_normal;
@@ -267,9 +285,7 @@ bool PathTracer::Scene::intersect(const Vec3f& from, const Vec3f& towards, Hit& 
 
 bool PathTracer::Scene::visible(const Vec3f& from, const Vec3f& towards, float distance) const {
   RTCRay ray{from.x(), from.y(), from.z(), 0, towards.x(), towards.y(), towards.z(), 0, distance, ~0u, 0, 0};
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(scene, &context, &ray);
+  rtcOccluded1(scene, &ray);
   return ray.tfar > 0;
 }
 
