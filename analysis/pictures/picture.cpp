@@ -43,7 +43,8 @@ Vec3f up_for(const Vec3f& direction) {  // a camera straight above has the y axi
   return std::abs(direction.normalized().z()) > 0.999f ? Vec3f(0, 1, 0) : Vec3f(0, 0, 1);
 }
 
-/// A table that bends up into a wall behind the objects, as photographers have it.
+/// A table that bends up into a wall behind the objects, as photographers have it. Many columns, so that their boxes are small: that of a
+/// strip across the whole table would hold the objects, and every ray near them would be tested against every strip (twice the time).
 TriangleObject cove(const Stage& stage, const Colour& albedo) {
   const Vec3f view_direction = stage.camera.eye - stage.camera.target;
   Vec3f away(-view_direction.x(), -view_direction.y(), 0);
@@ -52,11 +53,12 @@ TriangleObject cove(const Stage& stage, const Colour& albedo) {
   const float r = stage.radius, reach = 4 * r, bend = 6 * r, wide = 60 * r;
   TriangleObject object;
   std::vector<Vec3f> normals;
+  constexpr std::uint32_t k_columns = 32;
   const auto add = [&](float forward, float up, const Vec3f& normal) {
     Vec3f centre = stage.centre + forward * away;
     centre.z() = stage.table + up;
-    for (const float s : {-1.0f, 1.0f}) {
-      object.vertices.push_back(centre + s * wide * side);
+    for (std::uint32_t column = 0; column <= k_columns; ++column) {
+      object.vertices.push_back(centre + (2 * static_cast<float>(column) / k_columns - 1) * wide * side);
       normals.push_back(normal);
     }
   };
@@ -67,12 +69,16 @@ TriangleObject cove(const Stage& stage, const Colour& albedo) {
     add(reach + bend * std::sin(angle), bend * (1 - std::cos(angle)), std::cos(angle) * Vec3f(0, 0, 1) - std::sin(angle) * away);
   }
   add(reach + bend, 40 * r, -away);
-  for (std::uint32_t i = 0; i + 3 < object.vertices.size(); i += 2) {
-    object.triangles.push_back({i, i + 1, i + 2});
-    object.triangles.push_back({i + 1, i + 3, i + 2});
-    object.normals.push_back({normals[i], normals[i + 1], normals[i + 2]});
-    object.normals.push_back({normals[i + 1], normals[i + 3], normals[i + 2]});
-  }
+  const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    object.triangles.push_back({a, b, c});
+    object.normals.push_back({normals[a], normals[b], normals[c]});
+  };
+  for (std::uint32_t row = 0; row + k_columns + 1 < normals.size(); row += k_columns + 1)
+    for (std::uint32_t i = row; i < row + k_columns; ++i) {
+      const std::uint32_t next = i + k_columns + 1;
+      triangle(i, i + 1, next);
+      triangle(i + 1, next + 1, next);
+    }
   object.albedos.assign(object.vertices.size(), albedo);
   return object;
 }
