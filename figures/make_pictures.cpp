@@ -46,11 +46,12 @@ std::vector<std::string> render_arguments(const Place& place, const FigurePictur
 void make_picture(const Place& place, const FigurePicture& picture) {
   const fs::path made = place.item_folder() / (picture.name + ".png");
   const std::vector<Input> inputs = inputs_of(place, picture);
-  const auto words = render_arguments(place, picture, inputs, made);
+  auto words = render_arguments(place, picture, inputs, made);
   nlohmann::json from{words, stamp(view_file(place.figure, picture)), stamp(find_program("bake-render"))};
   for (const Input& input : inputs) from.push_back(stamp(input.file));
   if (is_made(made, from)) return;
   say(place.options, fmt::format("picture {}", picture.name));
+  if (place.options.threads > 0) words.insert(words.end(), {"--threads", std::to_string(place.options.threads)});  // same picture
   call_program("bake-render", words, place.item_folder() / (picture.name + ".log"));
   note_made(made, from);
 }

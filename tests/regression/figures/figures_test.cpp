@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// Figures of the paper that need a simulation, made at draft by the real programs: which claims hold, which are known not to, and
+// whether every picture is drawn. The pictures are small: what costs minutes is samples and pixels, which change no other step.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+
+#include <Eigen/Core>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "analysis/look/image.h"
+#include "figures/figure_file.h"
+#include "tests/support/temporary_folder.h"
+
+namespace bake {
+namespace {
+
+constexpr int k_width = 240, k_height = 180, k_samples = 4;
+
+/// The mean sRGB of the pixels for which `counts(x, y)`, from 0 to 255.
+template <class Counts>
+Eigen::Vector3d mean_colour(const Image& image, Counts counts) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double pixels = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      if (counts(x, y)) {
+        const auto& [r, g, b] = image.at(x, y);
+        sum += Eigen::Vector3d(r, g, b);
+        ++pixels;
+      }
+  return sum / pixels;
+}
+
+/// A figure made in a folder of its own: exit code, claims.json, pictures.
+class Made {
+ public:
+  Made(int number, const std::string& item) {
+    const std::string command = fmt::format("cd '{}' && '{}' figure {} --quiet --size {}x{} --samples {} --threads 1 > out 2> errors",
+                                            folder_.path().string(), BAKE_PROGRAM, number, k_width, k_height, k_samples);
+    const int status = std::system(command.c_str());
+    exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    errors = contents(folder_ / "errors");
+    item_ = folder_ / "results/items" / (item + "-draft");
+    if (exit_code <= 1) claims = nlohmann::json::parse(contents(item_ / "claims.json"))["claims"];
+  }
+  /// The post-process of fracture at its last frame.
+  nlohmann::json last_surface(const std::string& name) const {
+    return nlohmann::json::parse(contents(item_ / name / "fracture.json"))["frames"].back();
+  }
+  Image picture(const std::string& name) const { return read_png(item_ / (name + ".png")); }
+
+  int exit_code = -1;
+  std::string errors;
+  nlohmann::json claims;
+
+ private:
+  TemporaryFolder folder_;
+  std::filesystem::path item_;
+};
+
+/// Every picture that the figure's file names is there, as large as asked for, and shows something in front of something else.
+void check_pictures(const Made& made, const char* experiment) {
+  const Figure figure = read_figure(std::filesystem::path(BAKE_SOURCE_DIR) / "experiments" / experiment / "figure.toml");
+  EXPECT_FALSE(figure.pictures.empty());
+  for (const FigurePicture& asked : figure.pictures) {
+    SCOPED_TRACE(asked.name);
+    const Image image = made.picture(asked.name);
+    ASSERT_EQ(image.width, k_width);
+    ASSERT_EQ(image.height, k_height);
+    const auto in_the_middle = [](int x, int y) {
+      return std::abs(2 * x - k_width) < k_width / 2 && std::abs(2 * y - k_height) < k_height / 2;
+    };
+    const auto at_the_rim = [](int x, int y) { return x < 8 || y < 8 || x >= k_width - 8 || y >= k_height - 8; };
+    const Eigen::Vector3d contrast = mean_colour(image, in_the_middle) - mean_colour(image, at_the_rim);
+    EXPECT_GT(contrast.cwiseAbs().maxCoeff(), 10);
+  }
+}
+
+TEST(Figure15, LoavesExpandAndSlitsOpenButTheTopDoesNotCrack) {
+  const Made figure(15, "bread");
+  ASSERT_LE(figure.exit_code, 1) << figure.errors;
+  std::set<std::string> missed;
+  for (const auto& claim : figure.claims)
+    if (!claim["holds"].get<bool>()) missed.insert(claim["metric"].get<std::string>());
+  // experiments/fig15_bread/README.md says why; should it hold one day, this line and that page are to be mended
+  EXPECT_EQ(missed, (std::set<std::string>{"crack_share"}));
+  EXPECT_EQ(figure.exit_code, 1);
+  EXPECT_GE(figure.claims.size(), 6u);
+
+  for (const char* name : {"surface_no", "surface_one", "surface_three"}) {
+    SCOPED_TRACE(name);
+    const auto surface = figure.last_surface(name);
+    for (const auto& piece : surface["pieces"]) EXPECT_TRUE(piece["closed"].get<bool>());
+  }
+  check_pictures(figure, "fig15_bread");
+}
+
+TEST(Figure16, LoafIsTornInTwo) {
+  const Made figure(16, "tearing");
+  ASSERT_LE(figure.exit_code, 1) << figure.errors;
+  for (const auto& claim : figure.claims) EXPECT_TRUE(claim["holds"].get<bool>()) << claim.dump(1);
+  EXPECT_EQ(figure.exit_code, 0);
+  EXPECT_GE(figure.claims.size(), 7u);
+  check_pictures(figure, "fig16_tearing");
+}
+
+}  // namespace
+}  // namespace bake
