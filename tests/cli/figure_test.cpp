@@ -167,16 +167,16 @@ TEST_F(AFigure, PassesOnWhatTheOtherProgramsSay) {
   program("bake-render", "echo working; kill -9 $$");
   expect_refused("figure 1 --quiet", "bake: bake-render: exit 137: working (log: results/items/dough-draft/side.log)", 3);
   program("bake-render", "echo \"$@\" >arguments; echo png >results/items/dough-draft/side.png");
-  EXPECT_EQ(place.bake("figure 1 --quiet --size 64x48 --samples 2").exit_code, 0);
+  EXPECT_EQ(place.bake("figure 1 --quiet --size 64x48 --samples 2 --threads 1").exit_code, 0);
   EXPECT_EQ(contents(place.folder() / "arguments"),
             fmt::format("picture {}/experiments/fig01_dough/views/side.toml results/soft-draft/frames/0001.hdf "
                         "results/hard-draft/frames/0001.hdf --out results/items/dough-draft/side.png --results results/soft-draft "
-                        "--results results/hard-draft --size 64x48 --samples 2\n",
+                        "--results results/hard-draft --size 64x48 --samples 2 --threads 1\n",
                         fs::canonical(place.folder()).string()));
   EXPECT_EQ(claims()["pictures"][0]["file"], "side.png");
   fs::remove(place.folder() / "arguments");
-  EXPECT_EQ(place.bake("figure 1 --quiet --size 64x48 --samples 2").exit_code, 0);
-  EXPECT_FALSE(fs::exists(place.folder() / "arguments")) << "it was there";
+  EXPECT_EQ(place.bake("figure 1 --quiet --size 64x48 --samples 2 --threads 2").exit_code, 0);
+  EXPECT_FALSE(fs::exists(place.folder() / "arguments")) << "it was there: threads change no picture";
 }
 
 TEST_F(AFigure, RunsItsParticlesFromAMeshAndMeasuresItsFractureSurface) {
