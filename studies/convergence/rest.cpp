@@ -85,6 +85,7 @@ std::vector<Errors> open_pores(bool quick) {
                        fmt::format("[leavening]\nreference_pressure_Pa = {}\n", k_pressure), 100);
       const auto& J = now["volume_ratio"];
       std::vector<double> error;
+      error.reserve(J.size());
       // J - (1 - n_0) = n_0 theta_K / theta_0K + nu R theta_K / p
       const double theta_K = k_hot + k_kelvin;
       const double pores = k_pores * theta_K / (k_cold + k_kelvin) + leavener * k_gas_constant * theta_K / k_atmosphere;
