@@ -24,6 +24,7 @@ std::string band_in_words(const Errors& e) {
 
 std::vector<std::string> short_numbers(const std::vector<double>& values) {
   std::vector<std::string> words;
+  words.reserve(values.size());
   for (const double x : values) words.push_back(fmt::format("{:.3g}", x));
   return words;
 }

@@ -137,7 +137,7 @@ charts::Axis ratio_axis(const std::vector<BenchRatio>& ratios) {
       low = std::min(low, x / 1.05), high = std::max(high, x * 1.05);
   charts::Axis axis{"times as fast", "", charts::Scale::logarithmic, std::pair(low, high)};
   const bool narrow = high < 4 * low;
-  for (double ten = 1e-6; ten < 1e6; ten *= 10)
+  for (const double ten : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1., 10., 100., 1e3, 1e4, 1e5})
     for (const double step : {1., 1.2, 1.5, 2., 3., 4., 5., 6., 7., 8., 9.}) {
       const bool wanted = narrow || step == 1 || step == 2 || step == 5;
       if (wanted && step * ten >= low && step * ten <= high) axis.tics.push_back({step * ten, fmt::format("{:.4g}", step * ten)});
