@@ -80,11 +80,14 @@ Html table(const std::vector<std::string>& header, const std::vector<std::vector
   std::string body;
   for (const auto& row : rows) {
     cells.clear();
-    for (const Html& cell : row) cells += element("td", cell).code;
+    for (std::size_t column = 0; column < row.size(); ++column)
+      cells += element("td", row[column], fmt::format("data-head=\"{}\"", text(header.at(column)).code)).code;
     body += element("tr", {cells}).code;
   }
   code += element("tbody", {body}).code;
-  return element("div", element("table", {code}), "class=\"wide\" tabindex=\"0\"");
+  constexpr std::size_t k_narrow = 4;  // columns that a phone has room for
+  return element("div", element("table", {code}),
+                 header.size() > k_narrow ? "class=\"wide cards\" tabindex=\"0\"" : "class=\"wide\" tabindex=\"0\"");
 }
 
 Html picture(const std::filesystem::path& file, std::string_view alternative) {

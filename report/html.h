@@ -23,7 +23,8 @@ Html element(std::string_view name, const Html& inside, std::string_view attribu
 /// Markdown's `code` becomes <code>, the rest is text.
 Html text_with_code(std::string_view words);
 
-/// Columns with a heading row; it scrolls by itself on a narrow page. `caption` may be empty.
+/// Columns with a heading row. On a narrow page it scrolls by itself, or with many columns has a card in place of each row. `caption` may
+/// be empty.
 Html table(const std::vector<std::string>& header, const std::vector<std::vector<Html>>& rows, std::string_view caption = "");
 
 /// An embedded picture (.png or .svg) with its alternative text. Throws InputError if the file cannot be read.

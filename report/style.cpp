@@ -44,7 +44,13 @@ summary { cursor: pointer; font-weight: 600; }
 details { margin: .75rem 0; }
 footer { padding-bottom: 3rem; }
 @media (max-width: 40rem) { header { padding-top: 1.5rem; } h1 { font-size: 1.5rem; } section { padding: 1rem; }
-  header, main, footer { padding-left: .75rem; padding-right: .75rem; } }
+  header, main, footer { padding-left: .75rem; padding-right: .75rem; }
+  .cards thead { display: none; } .cards table, .cards tbody, .cards caption { display: block; }
+  .cards tr { display: grid; grid-template-columns: repeat(auto-fill, minmax(5.5rem, 1fr)); gap: .4rem .75rem; padding: .7rem 0;
+    border-bottom: 1px solid var(--line); }
+  .cards td { min-width: 0; padding: 0; border: 0; overflow-wrap: anywhere; }
+  .cards td:first-child, .cards td:last-child { grid-column: 1 / -1; }
+  .cards td:not(:first-child)::before { content: attr(data-head); display: block; color: var(--soft); font-size: .8rem; } }
 @media print { :root { color-scheme: light; --page: #fff; --card: #fff; --ink: #000; --soft: #444; --line: #bbb; --link: #000;
   --good-back: #fff; --bad-back: #fff; --none-back: #fff; --good: #000; --bad: #000; --none: #000; }
   body { font-size: 10pt; } section { border: 0; border-top: 1px solid var(--line); border-radius: 0; padding: .5rem 0; }

@@ -19,3 +19,13 @@ HOME=$folder timeout 120 chromium --headless --no-sandbox --disable-gpu --disabl
 grep -q '<h1>' dom.html || fail "the page is empty"
 if grep 'CONSOLE' log; then fail "the browser complains"; fi
 if grep -o '"url":"https\?://[^"]*"' net.json | grep -v -e 'google' -e 'gvt1'; then fail "something was asked for"; fi
+
+# A phone is 360 wide; a window of chromium cannot be.
+cat >phone.html <<'HTML'
+<title>not measured</title>
+<iframe src="report.html" style="width:360px;height:800px;border:0"
+  onload="document.title = 'wide ' + this.contentDocument.documentElement.scrollWidth"></iframe>
+HTML
+HOME=$folder timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --no-first-run --user-data-dir="$folder/profile" \
+  --hide-scrollbars --allow-file-access-from-files --virtual-time-budget=3000 --dump-dom "file://$folder/phone.html" >phone_dom.html 2>log || fail "chromium: $(tail -n 3 log)"
+grep -q '<title>wide 360</title>' phone_dom.html || fail "on a phone: $(grep -o '<title>.*</title>' phone_dom.html), wanted 360"
