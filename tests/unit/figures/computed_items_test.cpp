@@ -135,9 +135,19 @@ TEST_F(TableTwo, AWrongNameIsRefused) {
   EXPECT_EQ(error(), "reference/published/table2.toml: κ: found 5 values, allowed: one for each of the 6 columns");
 }
 
+/// The project as the table sees it, in `root`, without the runs that are stored beside the table.
+void link_project(const fs::path& root) {
+  fs::create_directories(root / "experiments/table01_timings/measured");
+  fs::create_symlink(fs::path(BAKE_SOURCE_DIR) / "reference", root / "reference");
+  for (const auto& experiment : fs::directory_iterator(fs::path(BAKE_SOURCE_DIR) / "experiments"))
+    if (experiment.path().filename() != "table01_timings")
+      fs::create_symlink(experiment.path(), root / "experiments" / experiment.path().filename());
+}
+
 TEST(TableOne, PutsAFinishedRunBesideThePublishedTiming) {
-  const TemporaryFolder folder;
-  const Computed none = compare_timings(BAKE_SOURCE_DIR, folder / "nothing");
+  const TemporaryFolder folder, root;
+  link_project(root.path());
+  const Computed none = compare_timings(root.path(), folder / "nothing");
   EXPECT_EQ(number(none, "rows_with_a_run"), 0);
   EXPECT_EQ(none.tables[0].rows[0][5], "not run");
   for (const auto& [name, state, particles] : {std::tuple{"bread-draft", "done", 9000}, std::tuple{"bread-standard", "done", 77000},
@@ -149,7 +159,7 @@ TEST(TableOne, PutsAFinishedRunBesideThePublishedTiming) {
                           "load_average": 0.5, "particles": )"
         << particles << R"(, "state": ")" << state << "\"}}";
   }
-  const Computed some = compare_timings(BAKE_SOURCE_DIR, folder.path());
+  const Computed some = compare_timings(root.path(), folder.path());
   EXPECT_EQ(number(some, "rows_with_a_run"), 1);
   EXPECT_EQ(number(some, "rows_at_published_size"), 0) << "that run is not done";
   const auto& row = some.tables[0].rows[0];
@@ -159,6 +169,8 @@ TEST(TableOne, PutsAFinishedRunBesideThePublishedTiming) {
   EXPECT_EQ(some.tables[0].rows[2][5], "not run") << "the cookie has a scene";
   const bool has_pancake = fs::exists(fs::path(BAKE_SOURCE_DIR) / "experiments/fig11_pancake/pancake.toml");
   EXPECT_EQ(some.tables[0].rows[3][5], has_pancake ? "not run" : "no scene yet");
+  fs::copy(folder / "bread-standard/run.json", root / "experiments/table01_timings/measured/kept.json");
+  EXPECT_EQ(number(compare_timings(root.path(), folder / "nothing"), "rows_with_a_run"), 1) << "a row that was kept";
 }
 
 TEST(AComputedTable, IsWrittenForTerminalProgramsAndPages) {
