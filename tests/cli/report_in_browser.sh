@@ -10,12 +10,17 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 "$bake" report --out report.html
-fail() { echo "FAILED: $*"; exit 1; }
+fail() { echo "FAILED: $*" >&2; exit 1; }
+
+# Prints the page as the browser understands it; further options come first.
+browse() {
+  HOME=$folder timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --disable-background-networking \
+    --disable-component-update --no-first-run --user-data-dir="$folder/profile" --virtual-time-budget=3000 --dump-dom "$@" 2>log ||
+    fail "chromium: $(tail -n 3 log)"
+}
 
 # The net log has every URL that is asked for; the page's own file and what stands in it are all.
-HOME=$folder timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --disable-background-networking --disable-component-update \
-  --no-first-run --user-data-dir="$folder/profile" --window-size=390,844 --enable-logging=stderr --log-net-log="$folder/net.json" \
-  --virtual-time-budget=3000 --dump-dom "file://$folder/report.html" >dom.html 2>log || fail "chromium: $(tail -n 3 log)"
+browse --window-size=390,844 --enable-logging=stderr --log-net-log="$folder/net.json" "file://$folder/report.html" >dom.html
 grep -q '<h1>' dom.html || fail "the page is empty"
 if grep 'CONSOLE' log; then fail "the browser complains"; fi
 if grep -o '"url":"https\?://[^"]*"' net.json | grep -v -e 'google' -e 'gvt1'; then fail "something was asked for"; fi
@@ -26,6 +31,5 @@ cat >phone.html <<'HTML'
 <iframe src="report.html" style="width:360px;height:800px;border:0"
   onload="document.title = 'wide ' + this.contentDocument.documentElement.scrollWidth"></iframe>
 HTML
-HOME=$folder timeout 120 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --no-first-run --user-data-dir="$folder/profile" \
-  --hide-scrollbars --allow-file-access-from-files --virtual-time-budget=3000 --dump-dom "file://$folder/phone.html" >phone_dom.html 2>log || fail "chromium: $(tail -n 3 log)"
+browse --hide-scrollbars --allow-file-access-from-files "file://$folder/phone.html" >phone_dom.html
 grep -q '<title>wide 360</title>' phone_dom.html || fail "on a phone: $(grep -o '<title>.*</title>' phone_dom.html), wanted 360"
