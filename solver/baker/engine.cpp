@@ -216,14 +216,14 @@ void Engine<Real>::update_grid() {
   if (has_surface_) {
     air = {scene_.oven.exchange_W_per_m2K(time_), scene_.oven.temperature_C(time_), scene_.oven.equilibrium_saturation(time_)};
     if (scene_.surface.form == Form::standard)
-      surface_.measure(scattered_.data(), scattered_row(), physics_->volume_channel, active_, lattice_, contacts_, air);
+      surface_.measure(scattered_.data(), scattered_row(), physics_->volume_channel, active_, lattice_, contacts_);
     else
       measure_published_surface(air);
   }
   const std::size_t blocks = active_.at.size(), nodes = blocks * k_block_nodes;
   gathered_.resize_and_forget(nodes * static_cast<std::size_t>(gathered_row()));
   const bool implicit = physics_->implicit_heat;
-  if (implicit) heat_weight_.assign(nodes, Real(0));
+  if (implicit) heat_weight_.assign(nodes, Real(0)), exchange_.assign(nodes, Real(0));
   if (physics_->has_water) moved_water_.resize(nodes), evaporated_water_.resize(nodes);
   block_bookings_.resize(blocks);
   for_each_parallel(blocks, 16, [&](std::size_t s) {
@@ -231,12 +231,9 @@ void Engine<Real>::update_grid() {
     if (active_.touched[s]) update_block(s, air, step, block_bookings_[s]);
   });
   if (implicit) {
-    const auto exchange_at = [&](std::size_t slot, int node) {
-      return has_surface_ && surface_.has_surface(slot) ? surface_.at(slot).exchange[node] : Real(0);
-    };
     const BlockWork<Real> w = work(step);
     booked_[static_cast<std::size_t>(Entry::exchanged)] +=
-        implicit_heat_.solve(*kernel_, w, colours_.columns, scratch_, heat_weight_, exchange_at, physics_->temperature_channel, dt_,
+        implicit_heat_.solve(*kernel_, w, colours_.columns, scratch_, heat_weight_, exchange_, physics_->temperature_channel, dt_,
                              scene_.of<Heat>().tolerance, gathered_);
     if (physics_->has_water)
       for (std::size_t s = 0; s < blocks; ++s)
@@ -263,6 +260,8 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
   }
   const bool at_contact = physics_->moves && contacts_.near(active_.at[s], 0);
   const bool at_grip = contacts_.holds_temperatures() && contacts_.near(active_.at[s], 0);
+  BlockSurroundings<Real> surface;
+  const bool has_surface = has_surface_ && surface_.surround(s, active_, air, surface);
   alignas(64) Real mass[k_block_nodes];
   alignas(64) Lanes<Real> in[k_most_channels], out[k_most_channels] = {};
   for (int first = 0; first < k_block_nodes; first += W) {
@@ -271,8 +270,13 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
     prefetch_rows(from + (k_block_nodes + n) * RS, W * RS);  // of the next block
     kernel_->take_nodes(from + n * RS, in);
     Surroundings<Real> around{};
-    load_surroundings(s, first, at_grip, around);
     around.saturation = lanes<Real>(static_cast<Real>(air.saturation));
+    if (has_surface) {
+      around.area = *reinterpret_cast<const Lanes<Real>*>(surface.area + first);
+      around.exchange = *reinterpret_cast<const Lanes<Real>*>(surface.exchange + first);
+      around.exchange_source = *reinterpret_cast<const Lanes<Real>*>(surface.exchange_source + first);
+    }
+    if (at_grip) hold_temperatures(s, first, around);
     physics_->update_nodes(in, out, sums, around, step, booked);
     if (physics_->moves) {
       for (std::size_t d = 0; d < 3; ++d)
@@ -280,7 +284,10 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
       *reinterpret_cast<Lanes<Real>*>(mass + first) = sums.inertia;
     }
     kernel_->put_nodes(out, rows + n * RG);
-    if (physics_->implicit_heat) std::memcpy(&heat_weight_[node], &sums.heat_weight, sizeof(sums.heat_weight));
+    if (physics_->implicit_heat) {
+      std::memcpy(&heat_weight_[node], &sums.heat_weight, sizeof(sums.heat_weight));
+      std::memcpy(&exchange_[node], &around.exchange, sizeof(around.exchange));
+    }
     if (physics_->has_water) {
       std::memcpy(&moved_water_[node], &sums.moved, sizeof(sums.moved));
       std::memcpy(&evaporated_water_[node], &sums.evaporated, sizeof(sums.evaporated));
@@ -293,10 +300,9 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
       change_velocities(s, mass, rows, booked, [&](const Point& x, const Vector3& v) { return contacts_.velocity_after(x, v); });
   }
   if (physics_->has_water && !physics_->implicit_heat) book_water(s, booked);
-  if (has_surface_ && surface_.has_surface(s)) {
-    const BlockSurroundings<Real>& around = surface_.at(s);
-    booked[static_cast<std::size_t>(Entry::area)] += sum_over_block(around.area);
-    booked[static_cast<std::size_t>(Entry::contact_area)] += sum_over_block(around.contact_area);
+  if (has_surface) {
+    booked[static_cast<std::size_t>(Entry::area)] += sum_over_block(surface.area);
+    booked[static_cast<std::size_t>(Entry::contact_area)] += sum_over_block(surface.contact_area);
   }
 }
 
@@ -344,22 +350,13 @@ void Engine<Real>::measure_published_surface(const Air& air) {
     measure.template operator()<KernelOrder::cubic>();
 }
 
+/// Nodes that a grip holds at its temperature.
 template <class Real>
-void Engine<Real>::load_surroundings(std::size_t slot, int first, bool at_grip, Surroundings<Real>& around) const {
-  if (has_surface_ && surface_.has_surface(slot)) {
-    const BlockSurroundings<Real>& s = surface_.at(slot);
-    around.area = *reinterpret_cast<const Lanes<Real>*>(s.area + first);
-    around.exchange = *reinterpret_cast<const Lanes<Real>*>(s.exchange + first);
-    around.exchange_source = *reinterpret_cast<const Lanes<Real>*>(s.exchange_source + first);
-  }
-  if (at_grip)
-    for (int l = 0; l < k_width<Real>; ++l) {
-      const int n = first + l;
-      const Point x = node_position(lattice_.origin(active_.at[slot]), lattice_.dx(), n);
-      if (const auto held = contacts_.held_temperature(x)) {
-        around.is_held[l] = -1;
-        around.held[l] = static_cast<Real>(*held);
-      }
+void Engine<Real>::hold_temperatures(std::size_t slot, int first, Surroundings<Real>& around) const {
+  for (int l = 0; l < k_width<Real>; ++l)
+    if (const auto held = contacts_.held_temperature(node_position(lattice_.origin(active_.at[slot]), lattice_.dx(), first + l))) {
+      around.is_held[l] = -1;
+      around.held[l] = static_cast<Real>(*held);
     }
 }
 

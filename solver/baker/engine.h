@@ -78,7 +78,7 @@ class Engine {
   void update_grid();
   void update_block(std::size_t slot, const Air& air, const Step<Real>& step, Bookings& booked);
   void measure_published_surface(const Air& air);
-  void load_surroundings(std::size_t slot, int first, bool at_grip, Surroundings<Real>& around) const;
+  void hold_temperatures(std::size_t slot, int first, Surroundings<Real>& around) const;
   void book_water(std::size_t slot, Bookings& booked) const;
   template <class After>
   void change_velocities(std::size_t slot, const Real* mass, Real* rows, Bookings& booked, After after) const;
@@ -114,7 +114,7 @@ class Engine {
   std::vector<BlockResult<Real>> results_;  ///< of the home blocks in a pass
   std::vector<Bookings> block_bookings_;    ///< of the grid's blocks in an update
   ImplicitHeat<Real> implicit_heat_;
-  std::vector<Real> heat_weight_;                     ///< of the nodes, for backward Euler
+  std::vector<Real> heat_weight_, exchange_;          ///< of the nodes, for backward Euler
   std::vector<Real> moved_water_, evaporated_water_;  ///< of the nodes in this step [kg]; empty without water
 
   double time_ = 0, dt_ = 0;

@@ -35,9 +35,8 @@ double dot_product(const std::vector<Real>& a, const std::vector<Real>& b) {
 
 template <class Real>
 double ImplicitHeat<Real>::solve(const BlockKernel<Real>& kernel, BlockWork<Real> work, const BlockColumns (&colours)[4],
-                                 std::vector<Scratch<Real>>& scratch, const std::vector<Real>& weight,
-                                 const std::function<Real(std::size_t, int)>& exchange, int temperature_channel, double dt,
-                                 double tolerance, AlignedBuffer<Real>& grid) {
+                                 std::vector<Scratch<Real>>& scratch, const std::vector<Real>& weight, const std::vector<Real>& exchange,
+                                 int temperature_channel, double dt, double tolerance, AlignedBuffer<Real>& grid) {
   const std::size_t n = weight.size(), gathered_row = static_cast<std::size_t>(kernel.gathered_row()),
                     scattered_row = static_cast<std::size_t>(kernel.scattered_row());
   in_.resize_and_forget(n * gathered_row);
@@ -97,8 +96,7 @@ double ImplicitHeat<Real>::solve(const BlockKernel<Real>& kernel, BlockWork<Real
       Real* rows = grid.data() + i * gathered_row + temperature_channel;
       rows[0] += correction;
       rows[-1] += correction;
-      booked -=
-          dt * static_cast<double>(exchange(i / k_block_nodes, static_cast<int>(i % k_block_nodes))) * static_cast<double>(correction);
+      booked -= dt * static_cast<double>(exchange[i]) * static_cast<double>(correction);
     } else {
       booked += static_cast<double>(Kp_[i]);
     }

@@ -6,7 +6,6 @@
 // 1]
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "solver/grid/block_kernel.h"
@@ -17,10 +16,11 @@ template <class Real>
 class ImplicitHeat {
  public:
   /// Corrects the temperature (and its change, one channel before) in the gathered rows of `grid`. Nodes of weight 0 keep
-  /// their temperature. Returns the heat that the correction brings in through surfaces and held nodes [J].
+  /// their temperature; `exchange`: of the nodes with their surroundings [W/K]. Returns the heat that the correction brings in through
+  /// surfaces and held nodes [J].
   double solve(const BlockKernel<Real>& kernel, BlockWork<Real> work, const BlockColumns (&colours)[4], std::vector<Scratch<Real>>& scratch,
-               const std::vector<Real>& weight, const std::function<Real(std::size_t slot, int node)>& exchange, int temperature_channel,
-               double dt, double tolerance, AlignedBuffer<Real>& grid);
+               const std::vector<Real>& weight, const std::vector<Real>& exchange, int temperature_channel, double dt, double tolerance,
+               AlignedBuffer<Real>& grid);
 
  private:
   AlignedBuffer<Real> in_, out_;

@@ -162,7 +162,7 @@ class BlockKernelOf final : public BlockKernel<Real> {
         const auto grid = [&](int z) { return grid_row(block, x - 1, y - 1, z - 1); };
         if (block.low[2] == 0) visit(tile_row, grid(0), 1);
         visit(tile_row + 1, grid(1), 4);
-        visit(tile_row + 5, grid(5), block.high[2] - 4);
+        if (block.high[2] > 4) visit(tile_row + 5, grid(5), block.high[2] - 4);
       }
   }
 
@@ -237,8 +237,8 @@ class BlockKernelOf final : public BlockKernel<Real> {
     void write(HomeBlock& block) const {
       for (int d = 0; d < 3; ++d) {
         const int first = static_cast<int>(smallest_lane(low[d])) + 1, last = static_cast<int>(largest_lane(high[d])) + N;
-        block.low[d] = static_cast<std::int8_t>(std::min(first, 1));
-        block.high[d] = static_cast<std::int8_t>(std::max(last, 5));
+        block.low[d] = static_cast<std::int8_t>(first);
+        block.high[d] = static_cast<std::int8_t>(last);
       }
     }
   };

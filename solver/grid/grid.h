@@ -92,10 +92,11 @@ struct ActiveBlocks {
   void find_touched(const std::vector<HomeBlock>& homes) {
     touched.assign(at.size(), 0);
     for (const HomeBlock& home : homes) {
-      const auto first = [&](int axis) { return home.low[axis] > 0 ? 1 : 0; };  // the tile begins one node before the home
-      for (int x = first(0); x < 3; ++x)
-        for (int y = first(1); y < 3; ++y)
-          for (int z = first(2); z < 3; ++z) touched[static_cast<std::size_t>(home.neighbour[x * 9 + y * 3 + z])] = 1;
+      const auto first = [&](int axis) { return (home.low[axis] + 3) / 4; };  // the tile begins one node before the home
+      const auto last = [&](int axis) { return (home.high[axis] + 3) / 4; };
+      for (int x = first(0); x <= last(0); ++x)
+        for (int y = first(1); y <= last(1); ++y)
+          for (int z = first(2); z <= last(2); ++z) touched[static_cast<std::size_t>(home.neighbour[x * 9 + y * 3 + z])] = 1;
     }
   }
   /// Slot of a block, or -1.

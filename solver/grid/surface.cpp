@@ -27,6 +27,16 @@ struct alignas(64) Numbers {
 template <class Real>
 using Halo = Numbers<Real, k_side * k_plane>;
 
+/// A block's line of nodes along z.
+template <class Real>
+struct Line {
+  typedef Real Four __attribute__((vector_size(4 * sizeof(Real)), aligned(sizeof(Real)), may_alias));
+  Four at;
+  explicit Line(const Real* nodes) : at(*reinterpret_cast<const Four*>(nodes)) {}
+  /// The last of this line and the first three of the next.
+  void store_across(const Line& next, Real* to) const { *reinterpret_cast<Four*>(to) = __builtin_shufflevector(at, next.at, 3, 4, 5, 6); }
+};
+
 /// Copies the nodes of a block and those around it; `nodes_of(slot)` gives those of a block, of none if the slot is -1.
 template <class Real, class NodesOf>
 void load_halo(const std::array<std::int32_t, 27>& around, NodesOf nodes_of, Halo<Real>& out) {
@@ -39,11 +49,10 @@ void load_halo(const std::array<std::int32_t, 27>& around, NodesOf nodes_of, Hal
       const int gx = x + 3, gy = y + 3;  // 4 is the block's first node
       const Real* const* column = block + (gx >> 2) * 9 + (gy >> 2) * 3;
       const int line = node_in_block(gx & 3, gy & 3, 0);
+      const Line<Real> below(column[0] + line), own(column[1] + line), above(column[2] + line);
       Real* to = out.at + halo_index(x, y, 0);
-      to[0] = column[0][line + 3];
-      std::memcpy(to + 1, column[1] + line, 4 * sizeof(Real));
-      to[5] = column[2][line];
-      to[6] = to[7] = 0;
+      below.store_across(own, to);
+      own.store_across(above, to + 4);
     }
 }
 
@@ -138,11 +147,10 @@ bool any_positive(const Nodes& nodes) {
 
 template <class Real>
 void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volume_channel, const ActiveBlocks& active,
-                                       const Lattice& lattice, const Contacts& contacts, const Air& air) {
+                                       const Lattice& lattice, const Contacts& contacts) {
   const std::size_t n = active.at.size();
   for (auto* field : {&volume_, &mirrored_, &smooth_, &density_}) field->resize(n);
   covered_.resize(n);
-  surroundings_.resize(n);
   blocks_.assign(n, {});
   for_each_parallel(n, 16, [&](std::size_t s) {
     if (!active.touched[s]) {
@@ -156,7 +164,6 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
   for_each_parallel(n, 16, [&](std::size_t s) { mirror(s, active, lattice); });
   for_each_parallel(n, 16, [&](std::size_t s) { smooth(s, active, lattice.dx()); });
   for_each_parallel(n, 16, [&](std::size_t s) { find_density(s, active, lattice, contacts); });
-  for_each_parallel(n, 16, [&](std::size_t s) { spread(s, active, air); });
 }
 
 /// Faces of the domain are mirrors, not surfaces: the volume of the mirrored dough is added.
@@ -199,10 +206,10 @@ void FreeSurfaceMeasure<Real>::smooth(std::size_t s, const ActiveBlocks& active,
       },
       halo);
   blur(halo, static_cast<Real>(1 / (dx * dx * dx)), smooth_[s]);
-  bool full = true, empty = true;
-  for (const Real phi : smooth_[s]) full &= phi >= k_full, empty &= phi < k_no_dough;
-  blocks_[s].is_full = full;
-  blocks_[s].is_empty = empty;
+  int full = 0, empty = 0;
+  for (const Real phi : smooth_[s]) full += phi >= k_full, empty += phi < k_no_dough;
+  blocks_[s].is_full = full == k_block_nodes;
+  blocks_[s].is_empty = empty == k_block_nodes;
 }
 
 /// r, of the air or of the solid that covers the node.
@@ -246,41 +253,49 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
 
 /// A = V B^T r
 template <class Real>
-void FreeSurfaceMeasure<Real>::spread(std::size_t s, const ActiveBlocks& active, const Air& air) {
-  if (!blocks_[s].has_volume) return;
-  bool any = false, covered = false;
+bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& active, const Air& air, BlockSurroundings<Real>& out) const {
+  if (!published_.empty()) {
+    out = published_[s];
+    return true;
+  }
+  if (!blocks_[s].has_volume) return false;
+  bool has_density = false, is_covered = false;
   for (const std::int32_t slot : active.around[s])
     if (slot >= 0) {
-      any |= blocks_[static_cast<std::size_t>(slot)].has_density;
-      covered |= blocks_[static_cast<std::size_t>(slot)].is_covered;
+      has_density |= blocks_[static_cast<std::size_t>(slot)].has_density;
+      is_covered |= blocks_[static_cast<std::size_t>(slot)].is_covered;
     }
-  blocks_[s].has_surface = any;
-  if (!any) return;
+  if (!has_density) return false;
   Halo<Real> halo;
-  const auto blurred = [&](Nodes& out, bool Block::*has, auto nodes_of) {
+  const auto blurred = [&](Nodes& to, bool Block::*has, auto nodes_of) {
     load_halo<Real>(
         active.around[s],
         [&](std::int32_t slot) -> const Nodes& {
           return slot >= 0 && blocks_[static_cast<std::size_t>(slot)].*has ? nodes_of(static_cast<std::size_t>(slot)) : k_none;
         },
         halo);
-    blur(halo, Real(1), out);
+    blur(halo, Real(1), to);
   };
   Nodes free;
-  Covered by{};
   blurred(free, &Block::has_density, [&](std::size_t i) -> const Nodes& { return density_[i]; });
-  if (covered)
-    for (Nodes Covered::*field : {&Covered::density, &Covered::exchange, &Covered::source})
-      blurred(by.*field, &Block::is_covered, [&](std::size_t i) -> const Nodes& { return covered_[i].*field; });
-  BlockSurroundings<Real>& out = surroundings_[s];
+  const Nodes& V = volume_[s];
   const auto beta = static_cast<Real>(air.exchange), beta_theta = static_cast<Real>(air.exchange * air.temperature);
   for (std::size_t k = 0; k < k_block_nodes; ++k) {
-    const Real V = volume_[s][k];
-    out.area[k] = V * free[k];
-    out.contact_area[k] = V * by.density[k];
-    out.exchange[k] = V * (beta * free[k] + by.exchange[k]);
-    out.exchange_source[k] = V * (beta_theta * free[k] + by.source[k]);
+    out.area[k] = V[k] * free[k];
+    out.contact_area[k] = 0;
+    out.exchange[k] = V[k] * (beta * free[k]);
+    out.exchange_source[k] = V[k] * (beta_theta * free[k]);
   }
+  if (!is_covered) return true;
+  Covered by;
+  for (Nodes Covered::*field : {&Covered::density, &Covered::exchange, &Covered::source})
+    blurred(by.*field, &Block::is_covered, [&](std::size_t i) -> const Nodes& { return covered_[i].*field; });
+  for (std::size_t k = 0; k < k_block_nodes; ++k) {
+    out.contact_area[k] = V[k] * by.density[k];
+    out.exchange[k] = V[k] * (beta * free[k] + by.exchange[k]);
+    out.exchange_source[k] = V[k] * (beta_theta * free[k] + by.source[k]);
+  }
+  return true;
 }
 
 template class FreeSurfaceMeasure<float>;

@@ -39,22 +39,21 @@ struct Air {
 template <class Real>
 class FreeSurfaceMeasure {
  public:
-  /// Measures from the volumes V_i in channel `volume_channel` of the scattered rows. Parallel over blocks, same bits for any
-  /// number of threads.
+  /// Measures from the volumes V_i in channel `volume_channel` of the scattered rows, all but the last step (`surround`). Parallel over
+  /// blocks, same bits for any number of threads.
   void measure(const Real* rows, int row_size, int volume_channel, const ActiveBlocks& active, const Lattice& lattice,
-               const Contacts& contacts, const Air& air);
+               const Contacts& contacts);
   /// [Ding19 Sec. 6.6] as printed: every node with mass that has a neighbour without appends the particle nearest to it, and each
   /// such particle stands for a disc of pi r^2, (4/3) pi r^3 = V. Serial: for studies of small scenes.
   template <KernelOrder order>
   void measure_published(const ParticleStore<Real>& store, const Real* rows, int row_size, int volume_channel, int ratio_column,
                          int volume_column, const ActiveBlocks& active, const Lattice& lattice, const Contacts& contacts, const Air& air);
   std::size_t bytes() const {
-    return volume_.capacity() * (4 * sizeof(Nodes) + sizeof(Covered) + sizeof(BlockSurroundings<Real>) + sizeof(Block));
+    return volume_.capacity() * (4 * sizeof(Nodes) + sizeof(Covered) + sizeof(Block)) +
+           published_.capacity() * sizeof(BlockSurroundings<Real>);
   }
-  /// Does the block have any surface?
-  bool has_surface(std::size_t slot) const { return blocks_[slot].has_surface; }
-  /// Surroundings of a block that has surface.
-  const BlockSurroundings<Real>& at(std::size_t slot) const { return surroundings_[slot]; }
+  /// What surrounds a block after either `measure`, or false if no surface is near. `air`: as given to measure_published.
+  bool surround(std::size_t slot, const ActiveBlocks& active, const Air& air, BlockSurroundings<Real>& surroundings) const;
 
  private:
   using Nodes = std::array<Real, k_block_nodes>;
@@ -62,7 +61,7 @@ class FreeSurfaceMeasure {
   static constexpr Real k_full = Real(0.8), k_no_dough = Real(1e-3);  ///< values of phi~
 
   struct Block {
-    bool has_volume, is_mirrored, is_full, is_empty, has_density, is_covered, has_surface;
+    bool has_volume, is_mirrored, is_full, is_empty, has_density, is_covered;
   };
   /// What stands in front of the nodes of a block: sums of r, of r beta and of r beta theta.
   struct Covered {
@@ -71,13 +70,12 @@ class FreeSurfaceMeasure {
   void mirror(std::size_t slot, const ActiveBlocks& active, const Lattice& lattice);
   void smooth(std::size_t slot, const ActiveBlocks& active, double dx);
   void find_density(std::size_t slot, const ActiveBlocks& active, const Lattice& lattice, const Contacts& contacts);
-  void spread(std::size_t slot, const ActiveBlocks& active, const Air& air);
 
   std::vector<Block> blocks_;
   std::vector<Nodes> volume_, mirrored_, smooth_;
   std::vector<Nodes> density_;  ///< r of nodes that touch air
   std::vector<Covered> covered_;
-  std::vector<BlockSurroundings<Real>> surroundings_;
+  std::vector<BlockSurroundings<Real>> published_;
 };
 
 extern template class FreeSurfaceMeasure<float>;

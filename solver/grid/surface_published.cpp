@@ -14,9 +14,7 @@ void FreeSurfaceMeasure<Real>::measure_published(const ParticleStore<Real>& stor
                                                  int ratio_column, int volume_column, const ActiveBlocks& active, const Lattice& lattice,
                                                  const Contacts& contacts, const Air& air) {
   const std::size_t n = active.at.size();
-  surroundings_.assign(n, {});
-  blocks_.assign(n, {});
-  for (Block& block : blocks_) block.has_surface = true;
+  published_.assign(n, {});
   const auto filled = [&](std::size_t slot, int node) {
     return rows[(slot * k_block_nodes + static_cast<std::size_t>(node)) * static_cast<std::size_t>(row_size) +
                 static_cast<std::size_t>(volume_channel)] > 0;
@@ -89,12 +87,12 @@ void FreeSurfaceMeasure<Real>::measure_published(const ParticleStore<Real>& stor
         static_cast<double>(columns[volume_column][l]) * (ratio_column < 0 ? 1 : static_cast<double>(columns[ratio_column][l]));
     const double S = std::cbrt(9 * M_PI / 16 * V * V);  // pi r^2 of the sphere of volume V
     for_each_node(home, columns, l, [&](std::size_t node, double weight, double) {
-      surroundings_[node / k_block_nodes].area[node % k_block_nodes] += static_cast<Real>(weight * S);
+      published_[node / k_block_nodes].area[node % k_block_nodes] += static_cast<Real>(weight * S);
     });
   });
   for (std::size_t s = 0; s < n; ++s) {
     const bool near_contact = contacts.near(active.at[s], lattice.dx());
-    BlockSurroundings<Real>& out = surroundings_[s];
+    BlockSurroundings<Real>& out = published_[s];
     for (int k = 0; k < k_block_nodes; ++k) {
       const Point x = node_position(lattice.origin(active.at[s]), lattice.dx(), k);
       const auto cover = near_contact && out.area[k] > 0 ? contacts.covering(x, std::nullopt, lattice.dx()) : std::nullopt;
