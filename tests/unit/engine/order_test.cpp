@@ -180,5 +180,35 @@ TYPED_TEST(Ordering, NobodyIsAnOrderingToo) {
   EXPECT_TRUE(to.blocks.empty());
 }
 
+TEST(Grid, KnowsWhichBlocksAHomeTouched) {
+  DomainSettings domain;
+  domain.min_m = {0, 0, 0};
+  domain.max_m = {1, 1, 1};
+  const Lattice lattice(domain, 1. / 32);
+  const BlockIndex middle{5, 5, 5};
+  const auto touched = [&](int low, int high) {  // tile nodes along x; along y and z those of the block itself
+    HomeBlock home{};
+    home.at = middle;
+    for (const int d : {1, 2}) home.low[d] = 1, home.high[d] = 4;
+    home.low[0] = static_cast<std::int8_t>(low);
+    home.high[0] = static_cast<std::int8_t>(high);
+    std::vector<HomeBlock> homes{home};
+    ActiveBlocks active;
+    active.surround(homes, lattice);
+    active.find_touched(homes);
+    std::vector<int> along_x;
+    for (std::size_t s = 0; s < active.at.size(); ++s)
+      if (active.touched[s]) along_x.push_back(active.at[s].x - middle.x);
+    std::sort(along_x.begin(), along_x.end());
+    return along_x;
+  };
+  EXPECT_EQ(touched(0, 2), (std::vector<int>{-1, 0}));
+  EXPECT_EQ(touched(1, 4), (std::vector<int>{0}));
+  EXPECT_EQ(touched(4, 6), (std::vector<int>{0, 1}));
+  EXPECT_EQ(touched(5, 7), (std::vector<int>{1}));
+  EXPECT_EQ(touched(0, 7), (std::vector<int>{-1, 0, 1}));
+  EXPECT_EQ(touched(5, 2), (std::vector<int>{}));  // all its particles have gone
+}
+
 }  // namespace
 }  // namespace bake
