@@ -6,7 +6,8 @@
 #   snakemake --cores 16 --config quality=standard
 #   snakemake --cores 2 accuracy                                 bake study accuracy --full, its cases side by side
 #   snakemake --slurm --jobs 8 --default-resources runtime=600 --config bake=build/release/bake threads=16
-#                                                                on a Slurm cluster, from a folder that all nodes see
+#                                                                on a Slurm cluster, from a folder that all nodes see;
+#                                                                a target (`accuracy`) stands before --slurm, not after it
 #
 # A Slurm job asks for `threads` cores (default 8; if no node has as many it waits for ever), `memory_MB` (default 4000) and `runtime`
 # minutes; slurm_account=... and slurm_partition=... stand beside runtime if the cluster wants them. A job that is cut off leaves a

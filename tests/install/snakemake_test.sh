@@ -44,7 +44,7 @@ why = "it stays in the domain"
 END
 
 fail() { echo "FAILED: $*"; tail -n 30 log; exit 1; }
-make_all() { HOME=$paper snakemake "${way[@]}" "$@" --config "bake=$bake" threads=1 effort=quick cases=elastic_bar,cooling_sphere >log 2>&1; }
+make_all() { HOME=$paper snakemake "$@" "${way[@]}" --config "bake=$bake" threads=1 effort=quick cases=elastic_bar,cooling_sphere >log 2>&1; }
 
 make_all || fail "snakemake failed"
 [[ $(grep -c '^rule run:' log) == 2 ]] || fail "not a job for each run"
