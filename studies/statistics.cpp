@@ -100,6 +100,11 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
+Spread spread_of(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return {median(values), *low, *high};
+}
+
 MannWhitney mann_whitney(const std::vector<double>& x, const std::vector<double>& y) {
   const auto n = static_cast<double>(x.size()), m = static_cast<double>(y.size());
   const std::vector<int> ranks = doubled_ranks(x, y);

@@ -10,6 +10,12 @@ namespace bake::studies {
 /// The middle value, the mean of both middle ones if their number is even; 0 of nothing.
 double median(std::vector<double> values);
 
+/// The middle value, the smallest and the largest.
+struct Spread {
+  double median = 0, low = 0, high = 0;
+};
+Spread spread_of(const std::vector<double>& values);  ///< of at least one
+
 /// Mann, Whitney (1947): are the numbers of one sample larger than those of another, or is it chance?
 struct MannWhitney {
   double U;           ///< pairs (x, y) with x > y; pairs of equals count half

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "studies/order.h"
-#include "studies/statistics.h"
 
 namespace bake::studies::accuracy {
 
@@ -23,11 +22,6 @@ std::optional<double> slope(const Curve& curve, const std::function<double(const
 }
 
 }  // namespace
-
-Spread spread_of(const std::vector<double>& values) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  return {median(values), *low, *high};
-}
 
 void settle(Curve& curve) {
   double worst = 0;

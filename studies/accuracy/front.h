@@ -8,14 +8,9 @@
 
 #include "studies/accuracy/case.h"
 #include "studies/machines/limits.h"
+#include "studies/statistics.h"
 
 namespace bake::studies::accuracy {
-
-/// Of several repeats.
-struct Spread {
-  double median = 0, low = 0, high = 0;
-};
-Spread spread_of(const std::vector<double>& values);  ///< of at least one
 
 /// A variant, measured.
 struct Point {

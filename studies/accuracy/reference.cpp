@@ -76,16 +76,22 @@ Scene scene_with_frames(const ReferencedScene& of, const Variant& v, double coun
   return scene_of_file(of.scene, of.length, v, frames_of(count, as_it_is.run.end_s));
 }
 
-void make_reference(const ReferencedScene& of, const fs::path& folder) {
+Scene fine_scene(const ReferencedScene& of) {
   constexpr double k_frames = 20;  // a checkpoint at each
-  const Variant fine{"reference", of.fine, 0, {"run.precision=double", "run.checkpoint_every_frames=1"}};
-  const Scene scene = scene_with_frames(of, fine, k_frames);
+  Variant fine{"reference", of.fine, 0, {"run.precision=double", "run.checkpoint_every_frames=1"}};
+  fine.overrides.insert(fine.overrides.end(), of.fine_settings.begin(), of.fine_settings.end());
+  return scene_with_frames(of, fine, k_frames);
+}
+
+void make_reference(const ReferencedScene& of, const fs::path& folder) {
+  const Scene scene = fine_scene(of);
   RunOptions options;
   options.out = folder / ("reference-" + of.name);
   complete_run(scene, options, kept_run(scene, options.out));
   const Results run(options.out);
   const json stored{{"case", of.name},
                     {"scene", of.scene},
+                    {"scene_fingerprint", scene_fingerprint(scene)},
                     {"cells", of.fine},
                     {"dx_m", scene.dx()},
                     {"precision", "double"},
@@ -111,6 +117,7 @@ void refer(Case& c, const ReferencedScene& of) {
     };
     if (!fs::exists(reference_file(of.name))) return none("no");
     const json reference = json::parse(std::ifstream(reference_file(of.name)));
+    if (reference.value("scene_fingerprint", "") != scene_fingerprint(fine_scene(of))) return none("of another version of the scene:");
     for (const Quantity& q : of.quantities)
       if (!reference.at("quantities").contains(q.name)) return none(fmt::format("no \"{}\" in", q.name));
     return std::string();

@@ -23,6 +23,7 @@ struct ReferencedScene {
   double length = 0;  ///< that cells divide [m]
   int fine = 0;       ///< cells of the reference
   std::vector<Quantity> quantities;
+  std::vector<std::string> fine_settings = {};  ///< `key=value` of the reference alone: where the scene itself saves time
 };
 
 /// The parts of a case that follow from it: name, scene, scene_of, measure, missing, make_reference. The reference is run with all cores.

@@ -61,7 +61,8 @@ Case rising_ball() {
             {{"volume gain", "volume_gain", {}, 1},
              {"mean temperature", "mean_temperature", {}, 10},
              {"water lost", "water_lost_share"},
-             {"gas made", "gas_made"}}});
+             {"gas made", "gas_made"}},
+            {"motion.inertia_scale=1"}});
   return c;
 }
 

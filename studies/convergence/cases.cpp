@@ -27,6 +27,7 @@ const std::vector<Case>& all_cases() {
        spinning_disc},
       {"slope", "a block on a slope: Coulomb's g (sin a - mu cos a) t", slope},
       {"lumped_sphere", "a conductive sphere that cools in air: exp(-3 beta t / (rho c R))", lumped_sphere},
+      {"drying_ball", "a wet ball at rest in hot air: heat and water along its radius by finite volumes", drying_ball},
       {"thermal_strain", "a warm cube at rest: ln J = 3 alpha (theta - theta_0)", thermal_strain},
       {"open_pores", "pores heated and leavened at the pressure of the atmosphere: ideal gas", open_pores},
       {"closed_pores", "pores heated at fixed volume: p theta_0K = p_ref (theta_K - theta_0K)", closed_pores},

@@ -36,6 +36,7 @@ std::vector<Errors> free_fall(bool quick);
 std::vector<Errors> spinning_disc(bool quick);
 std::vector<Errors> slope(bool quick);
 std::vector<Errors> lumped_sphere(bool quick);
+std::vector<Errors> drying_ball(bool quick);
 std::vector<Errors> thermal_strain(bool quick);
 std::vector<Errors> open_pores(bool quick);
 std::vector<Errors> closed_pores(bool quick);

@@ -75,10 +75,6 @@ const Cost& cost_of(const std::vector<Cost>& costs, const std::string& name) {
 
 }  // namespace
 
-Spread spread_of(const std::vector<double>& repeats) {
-  return {median(repeats), *std::min_element(repeats.begin(), repeats.end()), *std::max_element(repeats.begin(), repeats.end())};
-}
-
 std::vector<Cost> measure_costs(const CostOptions& options) {
   const int threads = omp_get_max_threads();
   omp_set_num_threads(1);

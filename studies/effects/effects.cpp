@@ -12,6 +12,7 @@
 #include "solver/io/atomic_file.h"
 #include "solver/io/provenance.h"
 #include "solver/scene/input_error.h"
+#include "studies/statistics.h"
 
 namespace bake::studies {
 namespace {
@@ -39,7 +40,7 @@ std::vector<Point> points_of(const std::vector<Cost>& costs, const std::vector<I
   return points;
 }
 
-std::string in_words(const Spread& s) { return fmt::format("{:.1f} ({:.1f} to {:.1f})", s.middle, s.low, s.high); }
+std::string in_words(const Spread& s) { return fmt::format("{:.1f} ({:.1f} to {:.1f})", s.median, s.low, s.high); }
 
 // ---------------------------------------------------------------- JSON
 
@@ -81,7 +82,7 @@ json as_json(const std::vector<Cost>& costs, const std::vector<Influence>& influ
   for (const Point& p : points_of(costs, influences))
     all["points"].push_back({{"scene", p.scene},
                              {"effects", p.effects},
-                             {"added_cpu_ns", p.added_ns.middle},
+                             {"added_cpu_ns", p.added_ns.median},
                              {"largest_change_over_error", p.influence},
                              {"of", p.quantity},
                              {"run_cpu_share", p.cpu_saved}});
@@ -107,7 +108,7 @@ std::string costs_as_markdown(const std::vector<Cost>& costs) {
     const auto whole = std::find_if(costs.begin(), costs.end(), [&](const Cost& c) { return c.name == m.with; });
     const Spread added = spread_of(added_ns(costs, m.with, m.without));
     text += fmt::format("| {} | {} | {} | {} | {:.0f} % |\n", m.effect, m.kind, m.beside, in_words(added),
-                        100 * added.middle / spread_of(whole->cpu_ns).middle);
+                        100 * added.median / spread_of(whole->cpu_ns).median);
   }
   return text;
 }
@@ -176,7 +177,7 @@ charts::Chart chart_of(const std::vector<Cost>& costs, const std::vector<Influen
     cost.y.tics.push_back({row, c.name});
     for (const double x : {s.low, s.high}) bars.x.push_back(x), bars.y.push_back(row);
     bars.x.push_back(s.high), bars.y.push_back(NAN);
-    middles.x.push_back(s.middle), middles.y.push_back(row);
+    middles.x.push_back(s.median), middles.y.push_back(row);
     most = std::max(most, s.high);
     row -= 1;
   }
@@ -197,9 +198,9 @@ charts::Chart chart_of(const std::vector<Cost>& costs, const std::vector<Influen
       scenes.back().colour = palette(scenes.size() - 1);
     }
     const double shown = std::max(p.influence, 1e-3);
-    scenes.back().x.push_back(p.added_ns.middle), scenes.back().y.push_back(shown);
-    influence.marks.push_back({p.added_ns.middle, shown, p.effects, Side::free, false, scenes.back().colour});
-    left = std::min(left, p.added_ns.middle), right = std::max(right, p.added_ns.middle);
+    scenes.back().x.push_back(p.added_ns.median), scenes.back().y.push_back(shown);
+    influence.marks.push_back({p.added_ns.median, shown, p.effects, Side::free, false, scenes.back().colour});
+    left = std::min(left, p.added_ns.median), right = std::max(right, p.added_ns.median);
     low = std::min(low, shown), high = std::max(high, shown);
   }
   influence.series = scenes;

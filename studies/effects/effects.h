@@ -12,12 +12,6 @@ namespace bake::studies {
 
 // ---------------------------------------------------------------- what it costs
 
-/// A middle value with the smallest and the largest of the repeats.
-struct Spread {
-  double middle = 0, low = 0, high = 0;
-};
-Spread spread_of(const std::vector<double>& repeats);
-
 /// One combination of effects that is compiled, on the loaf of studies/machines/scenes.h in single precision.
 struct Cost {
   std::string name;  ///< of bench::k_combinations

@@ -45,6 +45,7 @@ TEST(SpinningDisc, WidensAsElasticitySaysAndKeepsItsAngularMomentum) { expect_he
 TEST(Block, SlidesAndSticksOnASlopeAsCoulombSays) { expect_held(slope); }
 
 TEST(LumpedSphere, CoolsThroughAnAreaOfSecondOrder) { expect_held(lumped_sphere); }
+TEST(WetBall, WarmsAndDriesAsFiniteVolumesInTheRadiusSay) { expect_held(drying_ball); }
 TEST(SqueezedDough, WarmsAdiabatically) { expect_held(adiabatic); }
 TEST(WarmDough, ExpandsUntilItIsFreeOfStress) { expect_held(thermal_strain); }
 TEST(Pores, FillTheVolumeOfAnIdealGas) { expect_held(open_pores); }
