@@ -18,7 +18,7 @@ namespace bake::studies {
 namespace {
 
 // Radius, density of the mixture and of water, specific heats, beta and theta_out are 1. Water comes to the surface as easily as it
-// leaves it over K rho_0 s / beta_w = 0.4 of the radius: a layer that all grids here resolve.
+// leaves it over K rho_0 s / beta_w = 0.4 of the radius: several cells of all grids here.
 constexpr double k_conductivity = 0.5, k_latent_heat = 1, k_theta = 0.2;      // kappa, L, first temperature
 constexpr double k_diffusivity = 0.1, k_evaporation = 0.05, k_wetness = 0.2;  // K, beta_w, first saturation
 constexpr double k_duration = 1;

@@ -12,6 +12,7 @@
 #include "solver/scene/scene.h"
 #include "studies/accuracy/expected.h"
 #include "studies/accuracy/knobs.h"
+#include "studies/accuracy/reference.h"
 #include "studies/accuracy/result.h"
 #include "tests/support/temporary_folder.h"
 
@@ -87,11 +88,17 @@ TEST(EveryVariant, IsAScene) {
   }
 }
 
+TEST(AReference, OfAnotherSceneOrAnotherVersionOfItIsNotUsed) {
+  Case c;
+  refer(c, {"bread", "teaching/rising_ball", 0.1, 20, {}});
+  EXPECT_NE(c.missing().find("of another version of the scene: reference/accuracy/bread.json"), std::string::npos) << c.missing();
+  for (const char* name : {"drying_cube", "rising_ball", "bread"}) EXPECT_EQ(find_case(name).missing(), "");
+}
+
 /// Both write the frames and ledgers that quantities of interest are taken from.
 TEST(TheTextbook, FindsTheQuantitiesOfInterestOfTheSolver) {
   for (const char* name : {"drying_cube", "rising_ball"}) {
     const Case& c = find_case(name);
-    if (!c.missing().empty()) continue;  // its fine run is made by hand
     Variant v{"double", 3, 0, {"run.precision=double", "run.end_s=0.1"}, By::solver};
     if (name == std::string("drying_cube")) v.overrides.back() = "run.end_s=600";
     const Scene scene = c.scene_of(v);
