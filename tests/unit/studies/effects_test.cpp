@@ -71,12 +71,5 @@ TEST(Costs, AreMeasuredForEveryCombinationInEveryRepeat) {
   for (const Margin& margin : all_margins()) EXPECT_EQ(added_ns(costs, margin.with, margin.without).size(), 3u);
 }
 
-TEST(Spread, HoldsTheMiddleAndBothEnds) {
-  const Spread spread = spread_of({3, 1, 2});
-  EXPECT_EQ(spread.low, 1);
-  EXPECT_EQ(spread.middle, 2);
-  EXPECT_EQ(spread.high, 3);
-}
-
 }  // namespace
 }  // namespace bake::studies

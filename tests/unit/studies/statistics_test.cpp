@@ -9,6 +9,13 @@
 namespace bake::studies {
 namespace {
 
+TEST(Spread, HoldsTheMiddleAndBothEnds) {
+  const Spread spread = spread_of({3, 1, 2});
+  EXPECT_EQ(spread.low, 1);
+  EXPECT_EQ(spread.median, 2);
+  EXPECT_EQ(spread.high, 3);
+}
+
 TEST(Median, IsTheMiddle) {
   EXPECT_EQ(median({3, 1, 2}), 2);
   EXPECT_EQ(median({4, 1, 3, 2}), 2.5);
