@@ -70,7 +70,7 @@ void write_charts(const CaseResult& result, const std::filesystem::path& folder)
                   panel_of(result, "error against processor time", {"processor time", "s"}, cpu_seconds)};
   chart.columns = 1;
   chart.panel_width_in = 6;
-  chart.panel_height_in = 3.2;
+  chart.panel_height_in = std::max(3.2, 0.7 + 0.19 * static_cast<double>(chart.panels[0].series.size()));  // one column of names
   if (!chart.panels[0].series.empty() && !chart.panels[1].series.empty()) write_chart(chart, folder);
 }
 

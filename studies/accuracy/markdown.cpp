@@ -88,13 +88,28 @@ std::string timing(const std::vector<CaseResult>& results) {
                  : ".");
 }
 
+/// The default's errors of each quantity; empty if the case has but one.
+std::string quantities_table(const CaseResult& result) {
+  const Curve* base = result.default_curve();
+  if (!base || base->points.front().parts.empty()) return "";
+  std::string head = "| error of the default, at so many cells |", rule = "|---|", rows;
+  for (const auto& [quantity, error] : base->points.front().parts) head += fmt::format(" {} |", quantity), rule += "---|";
+  for (const Point& p : base->points) {
+    if (p.failed()) continue;
+    rows += fmt::format("| {} |", p.variant.cells);
+    for (const auto& [quantity, error] : p.parts) rows += fmt::format(" {} |", percent(error));
+    rows += fmt::format(" {} |\n", percent(p.error));
+  }
+  return fmt::format("\n{} rms |\n{}---|\n{}", head, rule, rows);
+}
+
 std::string section(const CaseResult& result) {
   const Case& c = result.of();
   std::string text = fmt::format("\n## {}\n\n{}{}. Cells are those of {}.\n\n", c.name, static_cast<char>(std::toupper(c.measured[0])),
                                  c.measured.substr(1), c.cells_of);
   text += fmt::format("![error against cost](accuracy/{}.svg)\n\n", c.name);
   for (const std::string& sentence : conclusions(result)) text += fmt::format("- {}\n", sentence);
-  return text + "\n" + front_table(result) + "\n" + goals_table(result) + "\n" + knobs_table(result);
+  return text + quantities_table(result) + "\n" + front_table(result) + "\n" + goals_table(result) + "\n" + knobs_table(result);
 }
 
 /// The paper's staged step beside the fused one, both in double precision and with the same steps; empty if it was not measured.
