@@ -113,7 +113,7 @@ MannWhitney mann_whitney(const std::vector<double>& x, const std::vector<double>
   const double U = sum - n * (n + 1) / 2, distance = std::abs(U - n * m / 2);
   if (ranks.size() > k_exact) return {U, normal_p(distance, variance(ranks, n, m)), normal_p(n * m / 2, n * m * (n + m + 1) / 12)};
   double choices = 1;
-  for (double i = 1; i <= n; ++i) choices *= (m + i) / i;
+  for (std::size_t i = 1; i <= x.size(); ++i) choices *= (m + static_cast<double>(i)) / static_cast<double>(i);
   return {U, exact_p(ranks, x.size(), 2 * distance), std::min(1., 2 / choices)};
 }
 
