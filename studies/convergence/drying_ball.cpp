@@ -8,6 +8,8 @@
 #include <omp.h>
 
 #include <cmath>
+#include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "studies/convergence/cases.h"
@@ -36,18 +38,14 @@ Dried dry_in_shells() {
   const double dt = k_duration / steps;
   std::vector<double> volume(n), solid(n), water(n), heat(n), theta(n), s(n);
   std::vector<double> area(n + 1), water_flux(n + 1), heat_flux(n + 1);  // of the shells' lower faces
-  for (std::size_t i = 0; i <= n; ++i) area[i] = 4 * M_PI * std::pow(dr * static_cast<double>(i), 2);
+  for (std::size_t i = 0; i <= n; ++i) area[i] = 4 * std::numbers::pi * std::pow(dr * static_cast<double>(i), 2);
   for (std::size_t i = 0; i < n; ++i) {
-    volume[i] = 4. / 3 * M_PI * (std::pow(dr * static_cast<double>(i + 1), 3) - std::pow(dr * static_cast<double>(i), 3));
+    volume[i] = 4. / 3 * std::numbers::pi * (std::pow(dr * static_cast<double>(i + 1), 3) - std::pow(dr * static_cast<double>(i), 3));
     solid[i] = (1 - k_wetness) * volume[i];
     water[i] = k_wetness * volume[i];
     heat[i] = k_theta * volume[i];
   }
-  const auto sum = [](const std::vector<double>& of) {
-    double all = 0;
-    for (const double value : of) all += value;
-    return all;
-  };
+  const auto sum = [](const std::vector<double>& of) { return std::accumulate(of.begin(), of.end(), 0.); };
   const auto at_surface = [](const std::vector<double>& of) { return of[n - 1] + 0.5 * (of[n - 1] - of[n - 2]); };
   const double first_water = sum(water), first_heat = sum(heat);
   for (int step = 0; step < steps; ++step) {
