@@ -97,6 +97,12 @@ bool Contacts::reaches(const Present& p, const BlockIndex& block, double reach) 
   return p.contact->scripted.distance(p.pose, middle) <= 0.87 * side + reach;
 }
 
+bool Contacts::reaches(const Present& p, const Point& x, double reach) {
+  for (std::size_t d = 0; d < 3; ++d)  // first what costs little
+    if (x[d] > p.bounds.high[d] + reach || x[d] < p.bounds.low[d] - reach) return false;
+  return p.contact->scripted.distance(p.pose, x) <= reach;
+}
+
 Vector3 Contacts::velocity_beside(const Present& p, const Point& x, const Vector3& v) const {
   const Vector3 wall = p.pose.velocity_at(x);
   const Rule rule = p.contact->rule;
@@ -121,7 +127,7 @@ bool Contacts::push_out(Point& x, Vector3& v) const {
 
 Vector3 Contacts::velocity_after(const Point& x, Vector3 v) const {
   for (const Present& p : present_)
-    if (p.contact->scripted.distance(p.pose, x) <= touching()) v = velocity_beside(p, x, v);
+    if (reaches(p, x, touching())) v = velocity_beside(p, x, v);
   for (const DomainFace& f : faces_) {
     const double inside = f.sign * (x[static_cast<std::size_t>(f.axis)] - f.at);
     if (inside > touching()) continue;
@@ -134,7 +140,7 @@ Vector3 Contacts::velocity_after(const Point& x, Vector3 v) const {
 
 std::optional<ContactHeat> Contacts::covering(const Point& x, const std::optional<Vector3>& n, double reach) const {
   for (const Present& p : present_) {
-    if (p.contact->rule == Rule::grip || p.contact->scripted.distance(p.pose, x) > reach) continue;
+    if (p.contact->rule == Rule::grip || !reaches(p, x, reach)) continue;
     if (n && dot(p.contact->scripted.normal(p.pose, x), *n) > -0.5) continue;  // the surface looks elsewhere
     if (!p.contact->temperature) return ContactHeat{};
     return ContactHeat{p.contact->exchange, p.temperature};
@@ -144,8 +150,7 @@ std::optional<ContactHeat> Contacts::covering(const Point& x, const std::optiona
 
 std::optional<double> Contacts::held_temperature(const Point& x) const {
   for (const Present& p : present_)
-    if (p.contact->rule == Rule::grip && p.contact->temperature && p.contact->scripted.distance(p.pose, x) <= touching())
-      return p.temperature;
+    if (p.contact->rule == Rule::grip && p.contact->temperature && reaches(p, x, touching())) return p.temperature;
   return std::nullopt;
 }
 

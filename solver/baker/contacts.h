@@ -18,6 +18,7 @@ struct Scene;
 struct ContactHeat {
   double exchange = 0;     ///< beta [W/(m^2 K)]
   double temperature = 0;  ///< theta [C]
+  bool operator==(const ContactHeat&) const = default;
 };
 
 class Contacts final : public Obstacles {
@@ -62,6 +63,8 @@ class Contacts final : public Obstacles {
     double temperature;
   };
   bool reaches(const Present& present, const BlockIndex& block, double reach) const;
+  /// Is `x` in it, or no further away than `reach`?
+  static bool reaches(const Present& present, const Point& x, double reach);
   Vector3 velocity_beside(const Present& present, const Point& x, const Vector3& v) const;
   /// A node this close to a solid is in it: faces are often drawn through nodes, whose positions are rounded [m].
   double touching() const { return 1e-6 * lattice_.dx(); }

@@ -31,26 +31,38 @@ void book_impulse(const Point& x, const Vector3& impulse, Bookings& booked) {
   }
 }
 
-/// Every node with mass gets m dv; the sum acts at the block's centre of mass.
 template <class Real>
-void book_gravity(const Real* mass, const Point& origin, double dx, const Vector3& dv, Bookings& booked) {
-  double planes[3][4] = {};  // mass by x, y and z
-  for (int x = 0; x < 4; ++x)
-    for (int y = 0; y < 4; ++y) {
-      double line[4];
-      for (int z = 0; z < 4; ++z) {
-        line[z] = static_cast<double>(mass[node_in_block(x, y, z)]);
-        planes[2][z] += line[z];
-      }
-      const double sum = (line[0] + line[1]) + (line[2] + line[3]);
-      planes[0][x] += sum;
-      planes[1][y] += sum;
+struct NodeCoordinates {
+  alignas(64) Real along[3][k_block_nodes];
+  constexpr NodeCoordinates() : along() {
+    for (int n = 0; n < k_block_nodes; ++n)
+      along[0][n] = static_cast<Real>(n / 16), along[1][n] = static_cast<Real>(n / 4 % 4), along[2][n] = static_cast<Real>(n % 4);
+  }
+};
+template <class Real>
+constexpr NodeCoordinates<Real> k_coordinates;
+
+/// Impulses on the nodes of a block, and their twist about its first node.
+template <class Real>
+struct Impulses {
+  using V = Lanes<Real>;
+  V sum[3] = {}, twist[3] = {};  ///< [kg m/s]; the twist per node distance
+  /// Of the nodes `first`, `first` + 1, ...
+  BAKE_INLINE void add(int first, const V (&impulse)[3]) {
+    for (int d = 0; d < 3; ++d) {
+      const int e = (d + 1) % 3, f = (d + 2) % 3;
+      const V &x_e = *reinterpret_cast<const V*>(k_coordinates<Real>.along[e] + first),
+              &x_f = *reinterpret_cast<const V*>(k_coordinates<Real>.along[f] + first);
+      sum[d] += impulse[d];
+      twist[d] += x_e * impulse[f] - x_f * impulse[e];
     }
-  const double m = (planes[2][0] + planes[2][1]) + (planes[2][2] + planes[2][3]);
-  Vector3 first;
-  for (std::size_t d = 0; d < 3; ++d) first[d] = planes[d][1] + 2 * planes[d][2] + 3 * planes[d][3];
-  if (m > 0) book_impulse(origin + (dx / m) * first, m * dv, booked);
-}
+  }
+  void book(const Point& origin, double dx, Bookings& booked) const {
+    const Vector3 total{sum_lanes(sum[0]), sum_lanes(sum[1]), sum_lanes(sum[2])};
+    book_impulse(origin, total, booked);
+    for (int d = 0; d < 3; ++d) booked[static_cast<std::size_t>(static_cast<int>(Entry::twist_x) + d)] += dx * sum_lanes(twist[d]);
+  }
+};
 
 template <class Real>
 double sum_over_block(const Real* nodes) {
@@ -224,7 +236,7 @@ void Engine<Real>::update_grid() {
   gathered_.resize_and_forget(nodes * static_cast<std::size_t>(gathered_row()));
   const bool implicit = physics_->implicit_heat;
   if (implicit) heat_weight_.assign(nodes, Real(0)), exchange_.assign(nodes, Real(0));
-  if (physics_->has_water) moved_water_.resize(nodes), evaporated_water_.resize(nodes);
+  if (implicit && physics_->has_water) sums_.resize(blocks * k_packs<Real>);
   block_bookings_.resize(blocks);
   for_each_parallel(blocks, 16, [&](std::size_t s) {
     block_bookings_[s] = {};
@@ -237,7 +249,9 @@ void Engine<Real>::update_grid() {
                              scene_.of<Heat>().tolerance, gathered_);
     if (physics_->has_water)
       for (std::size_t s = 0; s < blocks; ++s)
-        if (active_.touched[s]) book_water(s, block_bookings_[s]);
+        if (active_.touched[s])
+          book_warmth(
+              &sums_[s * k_packs<Real>], [&](int pack) { return temperatures(s, pack); }, block_bookings_[s]);
   }
   booked_[static_cast<std::size_t>(Entry::area)] = booked_[static_cast<std::size_t>(Entry::contact_area)] = 0;  // of this step, not a sum
   for (const Bookings& b : block_bookings_) add_to(booked_, b);
@@ -262,11 +276,13 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
   const bool at_grip = contacts_.holds_temperatures() && contacts_.near(active_.at[s], 0);
   BlockSurroundings<Real> surface;
   const bool has_surface = has_surface_ && surface_.surround(s, active_, air, surface);
-  alignas(64) Real mass[k_block_nodes];
-  alignas(64) Lanes<Real> in[k_most_channels], out[k_most_channels] = {};
-  for (int first = 0; first < k_block_nodes; first += W) {
-    const auto n = static_cast<std::size_t>(first), node = s * k_block_nodes + n;
-    NodeSums<Real> sums;
+  Lanes<Real> in[k_most_channels], dv[3];
+  for (std::size_t d = 0; d < 3; ++d) dv[d] = lanes<Real>(static_cast<Real>(dt_ * gravity_[d] / inertia_scale_));
+  Lanes<Real> out[k_packs<Real>][k_most_channels];
+  NodeSums<Real> sums[k_packs<Real>];
+  for (int pack = 0; pack < k_packs<Real>; ++pack) {
+    const int first = pack * W;
+    const auto n = static_cast<std::size_t>(first);
     prefetch_rows(from + (k_block_nodes + n) * RS, W * RS);  // of the next block
     kernel_->take_nodes(from + n * RS, in);
     Surroundings<Real> around{};
@@ -277,64 +293,64 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
       around.exchange_source = *reinterpret_cast<const Lanes<Real>*>(surface.exchange_source + first);
     }
     if (at_grip) hold_temperatures(s, first, around);
-    physics_->update_nodes(in, out, sums, around, step, booked);
-    if (physics_->moves) {
-      for (std::size_t d = 0; d < 3; ++d)
-        out[d] += sums.inertia > 0 ? lanes<Real>(static_cast<Real>(dt_ * gravity_[d] / inertia_scale_)) : 0 * sums.inertia;
-      *reinterpret_cast<Lanes<Real>*>(mass + first) = sums.inertia;
-    }
-    kernel_->put_nodes(out, rows + n * RG);
+    physics_->update_nodes(in, out[pack], sums[pack], around, step, booked);
+    for (int c = physics_->gather_channels; c < gathered_row(); ++c) out[pack][c] = Lanes<Real>{};
+    if (physics_->moves)
+      for (int d = 0; d < 3; ++d) out[pack][d] += sums[pack].inertia > 0 ? dv[d] : 0 * dv[d];
     if (physics_->implicit_heat) {
-      std::memcpy(&heat_weight_[node], &sums.heat_weight, sizeof(sums.heat_weight));
-      std::memcpy(&exchange_[node], &around.exchange, sizeof(around.exchange));
-    }
-    if (physics_->has_water) {
-      std::memcpy(&moved_water_[node], &sums.moved, sizeof(sums.moved));
-      std::memcpy(&evaporated_water_[node], &sums.evaporated, sizeof(sums.evaporated));
+      const std::size_t node = s * k_block_nodes + n;
+      std::memcpy(&heat_weight_[node], &sums[pack].heat_weight, sizeof(Lanes<Real>));
+      std::memcpy(&exchange_[node], &around.exchange, sizeof(Lanes<Real>));
     }
   }
-  if (physics_->moves) {
-    book_gravity(mass, lattice_.origin(active_.at[s]), lattice_.dx(), (dt_ / inertia_scale_) * gravity_, booked);
-    if (force_) change_velocities(s, mass, rows, booked, [&](const Point& x, const Vector3& v) { return force_(x, v, time_, dt_); });
-    if (at_contact)
-      change_velocities(s, mass, rows, booked, [&](const Point& x, const Vector3& v) { return contacts_.velocity_after(x, v); });
+  if (force_) change_velocities(s, sums, out, booked, [&](const Point& x, const Vector3& v) { return force_(x, v, time_, dt_); });
+  if (at_contact) change_velocities(s, sums, out, booked, [&](const Point& x, const Vector3& v) { return contacts_.velocity_after(x, v); });
+  for (std::size_t pack = 0; pack < k_packs<Real>; ++pack) kernel_->put_nodes(out[pack], rows + pack * W * RG);
+  if (physics_->moves) book_momentum(s, sums, out, dv, booked);
+  if (physics_->has_heat && physics_->has_water) {
+    if (physics_->implicit_heat)
+      std::copy(sums, sums + k_packs<Real>, &sums_[s * k_packs<Real>]);  // until the temperatures are known
+    else
+      book_warmth(
+          sums, [&](int pack) { return out[pack][physics_->temperature_channel]; }, booked);
   }
-  if (physics_->has_water && !physics_->implicit_heat) book_water(s, booked);
   if (has_surface) {
     booked[static_cast<std::size_t>(Entry::area)] += sum_over_block(surface.area);
     booked[static_cast<std::size_t>(Entry::contact_area)] += sum_over_block(surface.contact_area);
   }
 }
-
-/// What evaporates takes its momentum and heat along; what moves between nodes is booked against what moves between particles
-/// (Water::gather). All with the step's final velocities and temperatures.
+/// What gravity gives, what evaporating water takes along, and what moves between nodes against what moves between particles
+/// (Water::gather). With the step's final velocities.
 template <class Real>
-void Engine<Real>::book_water(std::size_t slot, Bookings& booked) const {
-  const bool moves = physics_->moves, has_heat = physics_->has_heat;
-  const auto RG = static_cast<std::size_t>(gathered_row());
-  const Real *row = gathered_.data() + slot * k_block_nodes * RG, *temperature = row + (has_heat ? physics_->temperature_channel : 0);
-  const Real *moved = &moved_water_[slot * k_block_nodes], *evaporated = &evaporated_water_[slot * k_block_nodes];
-  const Point origin = lattice_.origin(active_.at[slot]);
-  double moved_warmth = 0, vapour_warmth = 0;  // [kg C]
-  Vector3 moved_momentum{0, 0, 0};
-  for (int n = 0; n < k_block_nodes; ++n, row += RG, temperature += RG) {
-    const auto m = static_cast<double>(moved[n]), lost = static_cast<double>(evaporated[n]);
-    if (has_heat) {
-      moved_warmth += m * static_cast<double>(*temperature);
-      vapour_warmth += lost * static_cast<double>(*temperature);
+void Engine<Real>::book_momentum(std::size_t slot, const NodeSums<Real>* sums, const Lanes<Real> (*nodes)[k_most_channels],
+                                 const Lanes<Real> (&dv)[3], Bookings& booked) const {
+  using V = Lanes<Real>;
+  Impulses<Real> impulses;
+  V moved[3] = {};
+  const auto inertia = static_cast<Real>(inertia_scale_);
+  for (int pack = 0; pack < k_packs<Real>; ++pack) {
+    V impulse[3];
+    for (int d = 0; d < 3; ++d) {
+      impulse[d] = sums[pack].inertia * dv[d] - inertia * sums[pack].evaporated * nodes[pack][d];
+      moved[d] += sums[pack].moved * nodes[pack][d];
     }
-    if (moves) {
-      const Vector3 v{double(row[0]), double(row[1]), double(row[2])};
-      moved_momentum = moved_momentum + m * v;
-      if (lost != 0) book_impulse(node_position(origin, lattice_.dx(), n), -inertia_scale_ * lost * v, booked);
-    }
+    impulses.add(pack * k_width<Real>, impulse);
   }
-  const auto add = [&](Entry entry, double amount) { booked[static_cast<std::size_t>(entry)] += amount; };
-  add(Entry::vapour_heat, water_specific_heat_ * vapour_warmth);
-  add(Entry::remapped_heat, -water_specific_heat_ * moved_warmth);
-  add(Entry::remapped_x, -inertia_scale_ * moved_momentum[0]);
-  add(Entry::remapped_y, -inertia_scale_ * moved_momentum[1]);
-  add(Entry::remapped_z, -inertia_scale_ * moved_momentum[2]);
+  impulses.book(lattice_.origin(active_.at[slot]), lattice_.dx(), booked);
+  for (std::size_t d = 0; d < 3; ++d) booked[static_cast<std::size_t>(Entry::remapped_x) + d] -= inertia_scale_ * sum_lanes(moved[d]);
+}
+
+/// The same of heat, with the step's final temperatures: theta(pack) are those of W nodes.
+template <class Real>
+template <class Theta>
+void Engine<Real>::book_warmth(const NodeSums<Real>* sums, Theta theta, Bookings& booked) const {
+  Lanes<Real> moved{}, vapour{};  // [kg C]
+  for (int pack = 0; pack < k_packs<Real>; ++pack) {
+    moved += sums[pack].moved * theta(pack);
+    vapour += sums[pack].evaporated * theta(pack);
+  }
+  booked[static_cast<std::size_t>(Entry::vapour_heat)] += water_specific_heat_ * sum_lanes(vapour);
+  booked[static_cast<std::size_t>(Entry::remapped_heat)] -= water_specific_heat_ * sum_lanes(moved);
 }
 
 template <class Real>
@@ -360,20 +376,34 @@ void Engine<Real>::hold_temperatures(std::size_t slot, int first, Surroundings<R
     }
 }
 
+/// Those of W nodes, read from the gathered rows.
+template <class Real>
+Lanes<Real> Engine<Real>::temperatures(std::size_t slot, int pack) const {
+  const auto RG = static_cast<std::size_t>(gathered_row());
+  const Real* theta = gathered_.data() + (slot * k_block_nodes + static_cast<std::size_t>(pack * k_width<Real>)) * RG;
+  Lanes<Real> result;
+  for (int l = 0; l < k_width<Real>; ++l)
+    result[l] = theta[static_cast<std::size_t>(l) * RG + static_cast<std::size_t>(physics_->temperature_channel)];
+  return result;
+}
+
 /// Every node with mass gets the velocity `after`(its place, its velocity); the impulse is booked.
 template <class Real>
 template <class After>
-void Engine<Real>::change_velocities(std::size_t slot, const Real* mass, Real* rows, Bookings& booked, After after) const {
+void Engine<Real>::change_velocities(std::size_t slot, const NodeSums<Real>* sums, Lanes<Real> (*nodes)[k_most_channels], Bookings& booked,
+                                     After after) const {
   const Point origin = lattice_.origin(active_.at[slot]);
-  const int RG = gathered_row();
   for (int n = 0; n < k_block_nodes; ++n) {
-    if (!(mass[n] > 0)) continue;
-    Real* row = rows + n * RG;
-    const Vector3 v{double(row[0]), double(row[1]), double(row[2])};
+    const int pack = n / k_width<Real>, lane = n % k_width<Real>;
+    const Real mass = sums[pack].inertia[lane];
+    if (!(mass > 0)) continue;
+    Lanes<Real>* v_i = nodes[pack];
+    const Vector3 v{double(v_i[0][lane]), double(v_i[1][lane]), double(v_i[2][lane])};
     const Point x = node_position(origin, lattice_.dx(), n);
     const Vector3 changed = after(x, v);
-    for (std::size_t d = 0; d < 3; ++d) row[d] = static_cast<Real>(changed[d]);
-    book_impulse(x, double(mass[n]) * (changed - v), booked);
+    if (changed == v) continue;
+    for (std::size_t d = 0; d < 3; ++d) v_i[d][lane] = static_cast<Real>(changed[d]);
+    book_impulse(x, double(mass) * (changed - v), booked);
   }
 }
 

@@ -79,9 +79,15 @@ class Engine {
   void update_block(std::size_t slot, const Air& air, const Step<Real>& step, Bookings& booked);
   void measure_published_surface(const Air& air);
   void hold_temperatures(std::size_t slot, int first, Surroundings<Real>& around) const;
-  void book_water(std::size_t slot, Bookings& booked) const;
+  // of a block's nodes, pack by pack: sums and channels
   template <class After>
-  void change_velocities(std::size_t slot, const Real* mass, Real* rows, Bookings& booked, After after) const;
+  void change_velocities(std::size_t slot, const NodeSums<Real>* sums, Lanes<Real> (*nodes)[k_most_channels], Bookings& booked,
+                         After after) const;
+  void book_momentum(std::size_t slot, const NodeSums<Real>* sums, const Lanes<Real> (*nodes)[k_most_channels], const Lanes<Real> (&dv)[3],
+                     Bookings& booked) const;
+  template <class Theta>
+  void book_warmth(const NodeSums<Real>* sums, Theta theta, Bookings& booked) const;
+  Lanes<Real> temperatures(std::size_t slot, int pack) const;
   void pass(double next_dt, bool sample);
   void settle(std::vector<Escape<Real>>& escapes);
   void after_ordering();
@@ -114,8 +120,8 @@ class Engine {
   std::vector<BlockResult<Real>> results_;  ///< of the home blocks in a pass
   std::vector<Bookings> block_bookings_;    ///< of the grid's blocks in an update
   ImplicitHeat<Real> implicit_heat_;
-  std::vector<Real> heat_weight_, exchange_;          ///< of the nodes, for backward Euler
-  std::vector<Real> moved_water_, evaporated_water_;  ///< of the nodes in this step [kg]; empty without water
+  std::vector<Real> heat_weight_, exchange_;  ///< of the nodes, for backward Euler
+  std::vector<NodeSums<Real>> sums_;          ///< of the nodes, W at a time, for backward Euler with water
 
   double time_ = 0, dt_ = 0;
   std::int64_t next_identity_ = 0;

@@ -110,12 +110,16 @@ template <class V>
 BAKE_INLINE auto smallest_lane(V a) {
   return -largest_lane(-a);
 }
-/// Sum of the lanes in a fixed order, in double.
+/// Sum of the lanes in double, by halves: a few instructions, where one after the other each would wait for the last.
 template <class V>
 BAKE_INLINE double sum_lanes(V a) {
-  double result = 0;
-  for (unsigned l = 0; l < sizeof(a) / sizeof(a[0]); ++l) result += static_cast<double>(a[l]);
-  return result;
+  constexpr int n = sizeof(a) / sizeof(a[0]);
+  double part[n];
+  for (int l = 0; l < n; ++l) part[l] = static_cast<double>(a[l]);
+#pragma GCC unroll 4
+  for (int half = n / 2; half > 0; half /= 2)
+    for (int l = 0; l < half; ++l) part[l] += part[l + half];
+  return part[0];
 }
 
 namespace detail {

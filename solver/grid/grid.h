@@ -22,6 +22,10 @@ inline constexpr int k_block_nodes = 64;
 /// depends on the volume of three more.
 inline constexpr int k_mirrored = 4;
 
+/// Packs of W nodes in a block.
+template <class Real>
+inline constexpr int k_packs = k_block_nodes / k_width<Real>;
+
 /// Node of a block, 0..63, from its coordinates 0..3.
 constexpr int node_in_block(int x, int y, int z) { return (x * 4 + y) * 4 + z; }
 

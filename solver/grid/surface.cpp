@@ -37,11 +37,19 @@ struct Line {
   void store_across(const Line& next, Real* to) const { *reinterpret_cast<Four*>(to) = __builtin_shufflevector(at, next.at, 3, 4, 5, 6); }
 };
 
-/// Copies the nodes of a block and those around it; `nodes_of(slot)` gives those of a block, of none if the slot is -1.
+/// Copies the nodes of a block and those around it; `nodes_of(slot)` points to those of a block, or to none that are not zero. False,
+/// and nothing done, if none of the blocks has any.
 template <class Real, class NodesOf>
-void load_halo(const std::array<std::int32_t, 27>& around, NodesOf nodes_of, Halo<Real>& out) {
+bool load_halo(const std::array<std::int32_t, 27>& around, NodesOf nodes_of, Halo<Real>& out) {
+  static constexpr Real none[k_block_nodes] = {};
   const Real* block[27];
-  for (std::size_t i = 0; i < 27; ++i) block[i] = nodes_of(around[i]).data();
+  bool any = false;
+  for (std::size_t i = 0; i < 27; ++i) {
+    const std::array<Real, k_block_nodes>* nodes = around[i] < 0 ? nullptr : nodes_of(static_cast<std::size_t>(around[i]));
+    any |= nodes != nullptr;
+    block[i] = nodes ? nodes->data() : none;
+  }
+  if (!any) return false;
 #pragma GCC unroll 6
   for (int x = 0; x < k_side; ++x)
 #pragma GCC unroll 6
@@ -54,6 +62,7 @@ void load_halo(const std::array<std::int32_t, 27>& around, NodesOf nodes_of, Hal
       below.store_across(own, to);
       own.store_across(above, to + 4);
     }
+  return true;
 }
 
 /// Sums of three, weighted (1, centre, 1), along x, y or z if the stride is k_plane, k_line or 1.
@@ -138,6 +147,14 @@ int find_images(int block, int axis, const Lattice& lattice, Images (&found)[5])
   return count;
 }
 
+/// Are all of its numbers equal?
+template <class Real, int count>
+bool is_constant(const Numbers<Real, count>& in) {
+  int others = 0;
+  for (const Real value : in.at) others += value != in.at[0];
+  return others == 0;
+}
+
 template <class Nodes>
 bool any_positive(const Nodes& nodes) {
   return std::any_of(nodes.begin(), nodes.end(), [](auto value) { return value > 0; });
@@ -150,13 +167,11 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
                                        const Lattice& lattice, const Contacts& contacts) {
   const std::size_t n = active.at.size();
   for (auto* field : {&volume_, &mirrored_, &smooth_, &density_}) field->resize(n);
-  covered_.resize(n);
+  covers_.resize(n);
   blocks_.assign(n, {});
   for_each_parallel(n, 16, [&](std::size_t s) {
-    if (!active.touched[s]) {
-      volume_[s] = k_none;
-      return;
-    }
+    covers_[s].clear();
+    if (!active.touched[s]) return;
     for (std::size_t k = 0; k < k_block_nodes; ++k)
       volume_[s][k] = rows[(s * k_block_nodes + k) * static_cast<std::size_t>(row_size) + static_cast<std::size_t>(volume_channel)];
     blocks_[s].has_volume = any_positive(volume_[s]);
@@ -164,6 +179,10 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
   for_each_parallel(n, 16, [&](std::size_t s) { mirror(s, active, lattice); });
   for_each_parallel(n, 16, [&](std::size_t s) { smooth(s, active, lattice.dx()); });
   for_each_parallel(n, 16, [&](std::size_t s) { find_density(s, active, lattice, contacts); });
+  heats_.clear();
+  for (const auto& covers : covers_)
+    for (const Cover& cover : covers)
+      if (std::find(heats_.begin(), heats_.end(), cover.heat) == heats_.end()) heats_.push_back(cover.heat);
 }
 
 /// Faces of the domain are mirrors, not surfaces: the volume of the mirrored dough is added.
@@ -197,14 +216,11 @@ void FreeSurfaceMeasure<Real>::mirror(std::size_t s, const ActiveBlocks& active,
 template <class Real>
 void FreeSurfaceMeasure<Real>::smooth(std::size_t s, const ActiveBlocks& active, double dx) {
   Halo<Real> halo;
-  load_halo<Real>(
-      active.around[s],
-      [&](std::int32_t slot) -> const Nodes& {
-        if (slot < 0) return k_none;
-        const auto i = static_cast<std::size_t>(slot);
-        return blocks_[i].is_mirrored ? mirrored_[i] : volume_[i];
-      },
-      halo);
+  const auto volumes = [&](std::size_t i) {
+    return blocks_[i].is_mirrored ? &mirrored_[i] : blocks_[i].has_volume ? &volume_[i] : nullptr;
+  };
+  blocks_[s].is_empty = !load_halo(active.around[s], volumes, halo);
+  if (blocks_[s].is_empty) return;
   blur(halo, static_cast<Real>(1 / (dx * dx * dx)), smooth_[s]);
   int full = 0, empty = 0;
   for (const Real phi : smooth_[s]) full += phi >= k_full, empty += phi < k_no_dough;
@@ -218,10 +234,11 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
   const auto is_full = [&](std::int32_t slot) { return slot >= 0 && blocks_[static_cast<std::size_t>(slot)].is_full; };
   if (blocks_[s].is_empty || std::all_of(active.around[s].begin(), active.around[s].end(), is_full)) return;
   Halo<Real> psi;
-  load_halo<Real>(
-      active.around[s], [&](std::int32_t slot) -> const Nodes& { return slot < 0 ? k_none : smooth_[static_cast<std::size_t>(slot)]; },
-      psi);
-  for (Real& value : psi.at) value = std::min(std::max((value - Real(0.2)) / (k_full - Real(0.2)), Real(0)), Real(1));
+  load_halo(
+      active.around[s], [&](std::size_t i) { return blocks_[i].is_empty ? nullptr : &smooth_[i]; }, psi);
+  constexpr Real k_outside = Real(0.2), k_slope = 1 / (k_full - k_outside);
+  for (Real& value : psi.at) value = std::min(std::max((value - k_outside) * k_slope, Real(0)), Real(1));
+  if (is_constant(psi)) return;
   const Gradient<Real> g(psi);
   Numbers<Real, k_after_z> squared;
   for (int i = 0; i < k_after_z; ++i)
@@ -232,23 +249,22 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
   for (std::size_t k = 0; k < k_block_nodes; ++k)
     r[k] = smooth_[s][k] < k_no_dough ? Real(0) : std::sqrt(r[k]) * per_length / smooth_[s][k];
   blocks_[s].has_density = any_positive(r);
-  if (!blocks_[s].has_density || !contacts.near(active.at[s], 4 * lattice.dx())) return;
+  const double reach = 2.5 * lattice.dx();
+  if (!blocks_[s].has_density || !contacts.near(active.at[s], reach)) return;
   const Point origin = lattice.origin(active.at[s]);
-  Covered& covered = covered_[s];
-  covered = {};
   for (std::size_t k = 0; k < k_block_nodes; ++k) {
     if (r[k] == 0) continue;
     const int x = static_cast<int>(k >> 4), y = static_cast<int>(k >> 2 & 3), z = static_cast<int>(k & 3), i = halo_index(x, y, z);
     const Vector3 inward{double(g.along[0].at[i]), double(g.along[1].at[i]), double(g.along[2].at[i])};
-    const auto cover = contacts.covering(origin + lattice.dx() * Vector3{double(x), double(y), double(z)}, (-1 / length(inward)) * inward,
-                                         2.5 * lattice.dx());
-    if (!cover) continue;
-    blocks_[s].is_covered = true;
-    covered.density[k] = r[k];
-    covered.exchange[k] = r[k] * static_cast<Real>(cover->exchange);
-    covered.source[k] = r[k] * static_cast<Real>(cover->exchange * cover->temperature);
+    const auto heat =
+        contacts.covering(origin + lattice.dx() * Vector3{double(x), double(y), double(z)}, (-1 / length(inward)) * inward, reach);
+    if (!heat) continue;
+    auto cover = std::find_if(covers_[s].begin(), covers_[s].end(), [&](const Cover& c) { return c.heat == *heat; });
+    if (cover == covers_[s].end()) cover = covers_[s].insert(cover, Cover{*heat, {}});
+    cover->density[k] = r[k];
     r[k] = 0;
   }
+  blocks_[s].has_density = any_positive(r);
 }
 
 /// A = V B^T r
@@ -259,43 +275,32 @@ bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& activ
     return true;
   }
   if (!blocks_[s].has_volume) return false;
-  bool has_density = false, is_covered = false;
-  for (const std::int32_t slot : active.around[s])
-    if (slot >= 0) {
-      has_density |= blocks_[static_cast<std::size_t>(slot)].has_density;
-      is_covered |= blocks_[static_cast<std::size_t>(slot)].is_covered;
-    }
-  if (!has_density) return false;
-  Halo<Real> halo;
-  const auto blurred = [&](Nodes& to, bool Block::*has, auto nodes_of) {
-    load_halo<Real>(
-        active.around[s],
-        [&](std::int32_t slot) -> const Nodes& {
-          return slot >= 0 && blocks_[static_cast<std::size_t>(slot)].*has ? nodes_of(static_cast<std::size_t>(slot)) : k_none;
-        },
-        halo);
-    blur(halo, Real(1), to);
-  };
-  Nodes free;
-  blurred(free, &Block::has_density, [&](std::size_t i) -> const Nodes& { return density_[i]; });
   const Nodes& V = volume_[s];
-  const auto beta = static_cast<Real>(air.exchange), beta_theta = static_cast<Real>(air.exchange * air.temperature);
-  for (std::size_t k = 0; k < k_block_nodes; ++k) {
-    out.area[k] = V[k] * free[k];
-    out.contact_area[k] = 0;
-    out.exchange[k] = V[k] * (beta * free[k]);
-    out.exchange_source[k] = V[k] * (beta_theta * free[k]);
-  }
-  if (!is_covered) return true;
-  Covered by;
-  for (Nodes Covered::*field : {&Covered::density, &Covered::exchange, &Covered::source})
-    blurred(by.*field, &Block::is_covered, [&](std::size_t i) -> const Nodes& { return covered_[i].*field; });
-  for (std::size_t k = 0; k < k_block_nodes; ++k) {
-    out.contact_area[k] = V[k] * by.density[k];
-    out.exchange[k] = V[k] * (beta * free[k] + by.exchange[k]);
-    out.exchange_source[k] = V[k] * (beta_theta * free[k] + by.source[k]);
-  }
-  return true;
+  bool any = false;
+  Halo<Real> halo;
+  const auto add = [&](auto density_of, Real(&area)[k_block_nodes], double exchange, double temperature) {
+    if (!load_halo(active.around[s], density_of, halo)) return;
+    if (!any) out = {};
+    any = true;
+    Nodes r;
+    blur(halo, Real(1), r);
+    const auto beta = static_cast<Real>(exchange), beta_theta = static_cast<Real>(exchange * temperature);
+    for (std::size_t k = 0; k < k_block_nodes; ++k) {
+      area[k] += V[k] * r[k];
+      out.exchange[k] += V[k] * (beta * r[k]);
+      out.exchange_source[k] += V[k] * (beta_theta * r[k]);
+    }
+  };
+  add([&](std::size_t i) { return blocks_[i].has_density ? &density_[i] : nullptr; }, out.area, air.exchange, air.temperature);
+  for (const ContactHeat& heat : heats_)
+    add(
+        [&](std::size_t i) -> const Nodes* {
+          for (const Cover& cover : covers_[i])
+            if (cover.heat == heat) return &cover.density;
+          return nullptr;
+        },
+        out.contact_area, heat.exchange, heat.temperature);
+  return any;
 }
 
 template class FreeSurfaceMeasure<float>;

@@ -49,23 +49,22 @@ class FreeSurfaceMeasure {
   void measure_published(const ParticleStore<Real>& store, const Real* rows, int row_size, int volume_channel, int ratio_column,
                          int volume_column, const ActiveBlocks& active, const Lattice& lattice, const Contacts& contacts, const Air& air);
   std::size_t bytes() const {
-    return volume_.capacity() * (4 * sizeof(Nodes) + sizeof(Covered) + sizeof(Block)) +
-           published_.capacity() * sizeof(BlockSurroundings<Real>);
+    return volume_.capacity() * (4 * sizeof(Nodes) + sizeof(Block)) + published_.capacity() * sizeof(BlockSurroundings<Real>);
   }
   /// What surrounds a block after either `measure`, or false if no surface is near. `air`: as given to measure_published.
   bool surround(std::size_t slot, const ActiveBlocks& active, const Air& air, BlockSurroundings<Real>& surroundings) const;
 
  private:
   using Nodes = std::array<Real, k_block_nodes>;
-  static constexpr Nodes k_none{};
   static constexpr Real k_full = Real(0.8), k_no_dough = Real(1e-3);  ///< values of phi~
 
   struct Block {
-    bool has_volume, is_mirrored, is_full, is_empty, has_density, is_covered;
+    bool has_volume, is_mirrored, is_full, is_empty, has_density;
   };
-  /// What stands in front of the nodes of a block: sums of r, of r beta and of r beta theta.
-  struct Covered {
-    Nodes density, exchange, source;
+  /// A solid in front of nodes of a block.
+  struct Cover {
+    ContactHeat heat;
+    Nodes density;  ///< r of those nodes
   };
   void mirror(std::size_t slot, const ActiveBlocks& active, const Lattice& lattice);
   void smooth(std::size_t slot, const ActiveBlocks& active, double dx);
@@ -74,7 +73,8 @@ class FreeSurfaceMeasure {
   std::vector<Block> blocks_;
   std::vector<Nodes> volume_, mirrored_, smooth_;
   std::vector<Nodes> density_;  ///< r of nodes that touch air
-  std::vector<Covered> covered_;
+  std::vector<std::vector<Cover>> covers_;
+  std::vector<ContactHeat> heats_;  ///< of all covers, each once
   std::vector<BlockSurroundings<Real>> published_;
 };
 

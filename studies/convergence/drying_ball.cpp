@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "studies/convergence/cases.h"
+#include "studies/convergence/exact.h"
 #include "studies/setting.h"
 
 namespace bake::studies {
@@ -67,22 +68,16 @@ Dried dry_in_shells() {
 }
 
 Setting ball(double cells) {
-  Setting setting;
+  Setting setting = ball_in_air::setting(cells, k_conductivity);
   setting.effects = "\"heat\", \"water\"";
-  setting.dx = 1 / cells;
-  setting.low = {-2, -2, -2};
-  setting.high = {2, 2, 2};
   setting.end_s = k_duration;
   setting.time = "";
   setting.threads = omp_get_num_procs();
-  setting.material = fmt::format(
-      "initial_temperature_C = {}\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = {}\ninitial_saturation = {}\n"
-      "water_density_kg_per_m3 = 1\ndiffusivity_m2_per_sK = {}\nevaporation_kg_per_m2sK = {}\n",
-      k_theta, k_conductivity, k_wetness, k_diffusivity, k_evaporation);
-  setting.tables = fmt::format(
-      "[oven]\ntemperature_C = 1\nexchange_W_per_m2K = 1\n[heat]\nwater_specific_heat_J_per_kgK = 1\n[water]\n"
-      "latent_heat_J_per_kg = {}\n[[body]]\nmaterial = \"dough\"\nparticles_per_cell = 8\nshape = {{ sphere = {{ radius_m = 1 }} }}\n",
-      k_latent_heat);
+  setting.material +=
+      fmt::format("initial_saturation = {}\nwater_density_kg_per_m3 = 1\ndiffusivity_m2_per_sK = {}\nevaporation_kg_per_m2sK = {}\n",
+                  k_wetness, k_diffusivity, k_evaporation);
+  setting.tables += fmt::format("[heat]\nwater_specific_heat_J_per_kgK = 1\n[water]\nlatent_heat_J_per_kg = {}\n", k_latent_heat);
+  setting.overrides = {fmt::format("material.0.initial_temperature_C={}", k_theta), "oven.temperature_C=1"};
   return setting;
 }
 
