@@ -2,6 +2,8 @@
 // Plasticity: temperature- and porosity-dependent Cam clay with viscous flow. [Ding19 Sec. 5.3, 6.5]
 #pragma once
 
+#include <utility>
+
 #include "solver/core/symmetric.h"
 #include "solver/effects/elasticity.h"
 #include "solver/effects/parameters.h"
@@ -138,47 +140,79 @@ struct Plasticity {
     return (min(by_yield, by_viscosity) - 1) / (rate + k_tiny<Real>);
   }
 
-  /// Solves the viscous return. With z = 2 Lambda the mapped state is p = p_tr / (1 + a K z), s = s_tr / (1 + 3 mu z), and
-  /// with r(z) = sqrt(a p^2 + q^2) the two laws are
-  ///     distance:   r (1 - (eta/dt) z) = tau_y        written as  tau_y / r + (eta/dt) z - 1 = 0
-  ///     quadratic:  r^2 = tau_y^2 + (eta/dt) z / 2    written as  1 / r - (tau_y^2 + (eta/dt) z / 2)^(-1/2) = 0
-  /// 1/r is a power mean of linear functions with exponent -2, hence concave, and so are both left sides: Newton from
-  /// below never overshoots and needs no bracket. Returns z; lanes that are not `flowing` keep 0. `watch` is called in every
+  /// p / p_tr = 1 / (1 + aK z) and s / s_tr = 1 / (1 + mu3 z) with one division: it takes as long as a score of products.
+  template <class V, class Real>
+  BAKE_INLINE static std::pair<V, V> shrunk(V aK, Real mu3, V z) {
+    const V P = 1 + aK * z, Q = 1 + mu3 * z, both = 1 / (P * Q);
+    return {Q * both, P * both};
+  }
+
+  /// Newton's method from `z`, a lower bound of the root of a concave function: it rises to the root, never passes it and needs no
+  /// bracket. step(z) is Newton's, infinite where nothing resists. Lanes that are not `flowing` keep their z; `watch` is called in every
   /// iteration with the lanes that still move.
-  template <class V, class Mask, class Real, class Watch = Unwatched>
-  BAKE_INLINE static V solve(V ap2, V q2, V aK, Real mu3, V tau_y, V eta_dt, Mask flowing, bool quadratic, Watch watch = {}) {
-    constexpr Real k_close = sizeof(Real) == 4 ? Real(3e-4) : Real(1e-8);  // of a step; convergence is quadratic
+  template <class Real, class V, class Mask, class Step, class Watch>
+  BAKE_INLINE static V newton(V z, V z_most, Mask flowing, Step step, Watch watch) {
+    constexpr Real k_close = sizeof(Real) == 4 ? Real(3e-4) : Real(1e-8);  // of z; convergence is quadratic
     constexpr int k_most = sizeof(Real) == 4 ? 40 : 60;
-    V z = lanes<Real>(0);
-    if (quadratic) {  // lower bounds to start from, the first one Newton step on the convex r^2 - tau_y^2 - (eta/dt) z / 2
-      const V slope = 2 * (ap2 * aK + q2 * mu3) + Real(0.5) * eta_dt + k_tiny<Real>;
-      const V near = (ap2 + q2 - tau_y * tau_y) / slope;
-      z = flowing ? max(near, max(far_start<Real>(ap2, aK, tau_y, eta_dt), far_start<Real>(q2, lanes<Real>(mu3), tau_y, eta_dt))) : z;
-    }
-    const V z_most = lanes<Real>(Real(1e12) / mu3);
     Mask active = flowing;
     for (int iteration = 0; iteration < k_most; ++iteration) {
       watch(active);
-      const V pa = 1 / (1 + aK * z), qa = 1 / (1 + mu3 * z);
-      const V A = ap2 * pa * pa, B = q2 * qa * qa;
-      const V r2 = A + B + k_tiny<Real>, r = sqrt(r2);
-      const V bend = (A * pa * aK + B * qa * mu3) / r2;  // -d(ln r)/dz
-      V g, slope;
-      if (quadratic) {
-        const V R = tau_y * tau_y + Real(0.5) * eta_dt * z + k_tiny<Real>, root = sqrt(R);
-        g = root / r - 1;  // scaled by the root of R
-        slope = bend * root / r + Real(0.25) * eta_dt / R;
-      } else {
-        g = tau_y / r + eta_dt * z - 1;
-        slope = bend * tau_y / r + eta_dt;
-      }
-      const V next = min(max(z - g / (slope + k_tiny<Real>), z), z_most);
+      const V next = min(max(z + step(z), z), z_most);
       const V moved = next - z;
       z = active ? next : z;
       active = active & (moved > k_close * next);
       if (!any(active)) break;
     }
     return z;
+  }
+
+  /// Solves the viscous return. With z = 2 Lambda the mapped state is p = p_tr / (1 + a K z), s = s_tr / (1 + 3 mu z), and
+  /// with r(z) = sqrt(a p^2 + q^2) the two laws are
+  ///     distance:   r (1 - (eta/dt) z) = tau_y        solved as  tau_y / r + (eta/dt) z - 1 = 0
+  ///     quadratic:  r^2 = tau_y^2 + (eta/dt) z / 2    solved as  1 / r - (tau_y^2 + (eta/dt) z / 2)^(-1/2) = 0
+  /// 1/r is a power mean of linear functions with exponent -2, hence concave, and so are both left sides. Returns z, 0 in lanes that are
+  /// not `flowing`.
+  template <class V, class Mask, class Real, class Watch = Unwatched>
+  BAKE_INLINE static V solve(V ap2, V q2, V aK, Real mu3, V tau_y, V eta_dt, Mask flowing, bool quadratic, Watch watch = {}) {
+    return quadratic ? solve_quadratic(ap2, q2, aK, mu3, tau_y, eta_dt, flowing, watch)
+                     : solve_distance(ap2, q2, aK, mu3, tau_y, eta_dt, flowing, watch);
+  }
+
+  /// Stresses are counted in r(0) here, so that none is out of range; g and its slope are multiplied by r.
+  template <class V, class Mask, class Real, class Watch>
+  BAKE_INLINE static V solve_distance(V ap2, V q2, V aK, Real mu3, V tau_y, V eta_dt, Mask flowing, Watch watch) {
+    constexpr Real k_least = sizeof(Real) == 4 ? Real(1e-36) : Real(1e-200);
+    const V none = lanes<Real>(0), z_most = lanes<Real>(Real(1e12) / mu3);
+    const V inverse_r0 = 1 / sqrt(flowing ? ap2 + q2 : 1 + none);
+    const V A0 = ap2 * inverse_r0 * inverse_r0, B0 = q2 * inverse_r0 * inverse_r0, y = tau_y * inverse_r0;
+    const V first = (1 - y) / ((A0 * aK + B0 * mu3) * y + eta_dt + k_least);  // of Newton's steps, from 0
+    return newton<Real>(
+        flowing ? min(first, z_most) : none, z_most, flowing,
+        [&](V z) {
+          const auto [pa, qa] = shrunk(aK, mu3, z);
+          const V A = A0 * pa * pa, B = B0 * qa * qa, r2 = A + B, r = sqrt(r2);
+          const V bend = (A * pa * aK + B * qa * mu3) / r2;  // -d(ln r)/dz
+          return (r * (1 - eta_dt * z) - y) / (bend * y + eta_dt * r + k_least);
+        },
+        watch);
+  }
+
+  /// g is scaled by the root of tau_y^2 + (eta/dt) z / 2.
+  template <class V, class Mask, class Real, class Watch>
+  BAKE_INLINE static V solve_quadratic(V ap2, V q2, V aK, Real mu3, V tau_y, V eta_dt, Mask flowing, Watch watch) {
+    // lower bounds to start from, the first one Newton step on the convex r^2 - tau_y^2 - (eta/dt) z / 2
+    const V near = (ap2 + q2 - tau_y * tau_y) / (2 * (ap2 * aK + q2 * mu3) + Real(0.5) * eta_dt + k_tiny<Real>);
+    const V far = max(far_start<Real>(ap2, aK, tau_y, eta_dt), far_start<Real>(q2, lanes<Real>(mu3), tau_y, eta_dt));
+    return newton<Real>(
+        flowing ? max(near, far) : 0 * near, lanes<Real>(Real(1e12) / mu3), flowing,
+        [&](V z) {
+          const auto [pa, qa] = shrunk(aK, mu3, z);
+          const V A = ap2 * pa * pa, B = q2 * qa * qa, r2 = A + B + k_tiny<Real>, r = sqrt(r2);
+          const V bend = (A * pa * aK + B * qa * mu3) / r2;
+          const V R = tau_y * tau_y + Real(0.5) * eta_dt * z + k_tiny<Real>, ratio = sqrt(R) / r;
+          return (1 - ratio) / (bend * ratio + Real(0.25) * eta_dt / R + k_tiny<Real>);
+        },
+        watch);
   }
 
   /// Return mapping of the trial state on tau_E only (Terzaghi).   [Ding19 Eq. 11-12, Sec. 6.5]
@@ -200,7 +234,7 @@ struct Plasticity {
     if (!any(flowing)) return;
 
     const V z = solve<V>(ap2, q2, a * k.bulk, 3 * k.mu, tau_y, eta * (1 / step.dt), flowing, k.quadratic);
-    const V pa = 1 / (1 + a * k.bulk * z), qa = 1 / (1 + 3 * k.mu * z);
+    const auto [pa, qa] = shrunk(a * k.bulk, 3 * k.mu, z);
     const V tr_new = tr * pa;
     p[field::J_P] = flowing ? p[field::J_P] * exp(tr - tr_new) : p[field::J_P];
     Symmetric<V> mapped;

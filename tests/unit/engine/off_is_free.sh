@@ -7,6 +7,7 @@
 set -euo pipefail
 
 root=$1 build=$2
+source "$root/tests/unit/engine/take_out.sh"
 sandbox=$(mktemp -d)
 trap 'rm -rf "$sandbox"' EXIT
 failures=0
@@ -17,20 +18,13 @@ command_of() { # <file name of the source>
     sed 's/\\"/"/g'
 }
 
-# Copies the sources; in the named effects all that follows the settings and the material goes.
 sources_without() { # <effect>...
   local effect
   rm -rf "$sandbox/without"
   mkdir -p "$sandbox/without"
   cp -r "$root/solver" "$sandbox/without/"
   for effect in "$@"; do
-    awk '/^  using Columns/ { print "  template <class Real>\n  struct Constants;\n  template <class... Any>\n  static void fill(Any&&...);"; gone = 1 }
-         /^};/ { gone = 0 }
-         !gone' "$root/solver/effects/$effect.h" >"$sandbox/without/solver/effects/$effect.h"
-    if cmp -s "$root/solver/effects/$effect.h" "$sandbox/without/solver/effects/$effect.h"; then
-      echo "nothing could be taken out of $effect.h" >&2
-      exit 2
-    fi
+    take_out "$effect" "$sandbox/without" || { echo "nothing could be taken out of $effect.h" >&2; exit 2; }
   done
 }
 
