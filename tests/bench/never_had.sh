@@ -30,8 +30,9 @@ for tree in "$root" "$without"; do (cd "$tree" && ./bake bench --benchmark_list_
 
 # The time of a particle-step [ns of a core].
 time_of() { # <folder>
-  "$1/build/release/bake_bench" --benchmark_filter="^Step/${combination//+/\\+}/single/500K/threads:1" --benchmark_format=json 2>/dev/null |
-    sed -n 's/^ *"ns\*core": \([0-9.e+-]*\),*$/\1/p'
+  "$1/build/release/bake_bench" --benchmark_filter="^Step/${combination//+/\\+}/single/500K/threads:1" \
+    --benchmark_out="$without/times.json" >/dev/null 2>&1
+  sed -n 's/^ *"ns\*core": \([0-9.e+-]*\),*$/\1/p' "$without/times.json"
 }
 printf 'ns a particle-step of %s, single precision, 500K particles, one thread\nround    as it is   never had %s    ratio\n' "$combination" "$effect"
 for ((round = 1; round <= rounds; ++round)); do
