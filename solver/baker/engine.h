@@ -78,8 +78,10 @@ class Engine {
   void update_grid();
   void update_block(std::size_t slot, const Air& air, const Step<Real>& step, Bookings& booked);
   void measure_published_surface(const Air& air);
+  bool is_empty(const Real* scattered) const;
+  // of a block's nodes, pack by pack: surroundings, sums and channels
+  Surroundings<Real> surroundings(std::size_t slot, int pack, const BlockSurroundings<Real>* surface, const Air& air) const;
   void hold_temperatures(std::size_t slot, int first, Surroundings<Real>& around) const;
-  // of a block's nodes, pack by pack: sums and channels
   template <class After>
   void change_velocities(std::size_t slot, const NodeSums<Real>* sums, Lanes<Real> (*nodes)[k_most_channels], Bookings& booked,
                          After after) const;

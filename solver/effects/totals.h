@@ -34,6 +34,10 @@ enum class Entry {
 inline constexpr int k_entries = static_cast<int>(Entry::count);
 using Bookings = std::array<double, k_entries>;
 
+inline void add_to(Bookings& sum, const Bookings& part) {
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += part[i];
+}
+
 template <class V>
 BAKE_INLINE void book(Bookings& booked, Entry entry, V amount) {
   booked[static_cast<int>(entry)] += sum_lanes(amount);
