@@ -50,7 +50,7 @@ struct Impulses {
   void book(const Point& origin, double dx, Bookings& booked) const {
     const Vector3 total{sum_lanes(sum[0]), sum_lanes(sum[1]), sum_lanes(sum[2])};
     book_impulse(origin, total, booked);
-    for (int d = 0; d < 3; ++d) booked[static_cast<std::size_t>(static_cast<int>(Entry::twist_x) + d)] += dx * sum_lanes(twist[d]);
+    for (std::size_t d = 0; d < 3; ++d) booked[static_cast<std::size_t>(Entry::twist_x) + d] += dx * sum_lanes(twist[d]);
   }
 };
 

@@ -37,8 +37,8 @@ struct Line {
   void store_across(const Line& next, Real* to) const { *reinterpret_cast<Four*>(to) = __builtin_shufflevector(at, next.at, 3, 4, 5, 6); }
 };
 
-/// Copies the nodes of a block and those around it; `nodes_of(slot)` points to those of a block, or to none that are not zero. False,
-/// and nothing done, if none of the blocks has any.
+/// Copies the nodes of a block and those around it. `nodes_of(slot)` points to those of a block, or is null if all of them are zero. False,
+/// and nothing done, if it is null for every block.
 template <class Real, class NodesOf>
 bool load_halo(const std::array<std::int32_t, 27>& around, NodesOf nodes_of, Halo<Real>& out) {
   static constexpr Real none[k_block_nodes] = {};
