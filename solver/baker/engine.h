@@ -80,7 +80,7 @@ class Engine {
   void measure_published_surface(const Air& air);
   bool is_empty(const Real* scattered) const;
   // of a block's nodes, pack by pack: surroundings, sums and channels
-  Surroundings<Real> surroundings(std::size_t slot, int pack, const BlockSurroundings<Real>* surface, const Air& air) const;
+  static Surroundings<Real> surroundings(int pack, const BlockSurroundings<Real>* surface, const Air& air);
   void hold_temperatures(std::size_t slot, int first, Surroundings<Real>& around) const;
   template <class After>
   void change_velocities(std::size_t slot, const NodeSums<Real>* sums, Lanes<Real> (*nodes)[k_most_channels], Bookings& booked,

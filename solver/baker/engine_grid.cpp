@@ -113,6 +113,7 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
     active_.touched[s] = 0;
     return;
   }
+  const bool at_contact = (physics_->moves || contacts_.holds_temperatures()) && contacts_.near(active_.at[s], 0);
   BlockSurroundings<Real> surface;
   const bool has_surface = has_surface_ && surface_.surround(s, active_, air, surface);
   Lanes<Real> in[k_most_channels], dv[3];
@@ -123,7 +124,8 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
     const auto n = static_cast<std::size_t>(pack * W);
     prefetch_rows(from + (k_block_nodes + n) * RS, W * RS);  // of the next block
     kernel_->take_nodes(from + n * RS, in);
-    const Surroundings<Real> around = surroundings(s, pack, has_surface ? &surface : nullptr, air);
+    Surroundings<Real> around = surroundings(pack, has_surface ? &surface : nullptr, air);
+    if (at_contact && contacts_.holds_temperatures()) hold_temperatures(s, static_cast<int>(n), around);
     physics_->update_nodes(in, out[pack], sums[pack], around, step, booked);
     for (int c = physics_->gather_channels; c < gathered_row(); ++c) out[pack][c] = Lanes<Real>{};
     if (physics_->moves)
@@ -135,7 +137,7 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
     }
   }
   if (force_) change_velocities(s, sums, out, booked, [&](const Point& x, const Vector3& v) { return force_(x, v, time_, dt_); });
-  if (physics_->moves && contacts_.near(active_.at[s], 0))
+  if (physics_->moves && at_contact)
     change_velocities(s, sums, out, booked, [&](const Point& x, const Vector3& v) { return contacts_.velocity_after(x, v); });
   for (std::size_t pack = 0; pack < k_packs<Real>; ++pack) kernel_->put_nodes(out[pack], rows + pack * W * RG);
   if (physics_->moves) book_momentum(s, sums, out, dv, booked);
@@ -162,7 +164,7 @@ bool Engine<Real>::is_empty(const Real* scattered) const {
 
 /// `surface`: of the block, null where there is none.
 template <class Real>
-Surroundings<Real> Engine<Real>::surroundings(std::size_t slot, int pack, const BlockSurroundings<Real>* surface, const Air& air) const {
+Surroundings<Real> Engine<Real>::surroundings(int pack, const BlockSurroundings<Real>* surface, const Air& air) {
   const int first = pack * k_width<Real>;
   Surroundings<Real> around{};
   around.saturation = lanes<Real>(static_cast<Real>(air.saturation));
@@ -171,7 +173,6 @@ Surroundings<Real> Engine<Real>::surroundings(std::size_t slot, int pack, const 
     around.exchange = *reinterpret_cast<const Lanes<Real>*>(surface->exchange + first);
     around.exchange_source = *reinterpret_cast<const Lanes<Real>*>(surface->exchange_source + first);
   }
-  if (contacts_.holds_temperatures() && contacts_.near(active_.at[slot], 0)) hold_temperatures(slot, first, around);
   return around;
 }
 
