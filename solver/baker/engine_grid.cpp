@@ -26,7 +26,7 @@ struct NodeCoordinates {
   alignas(64) Real along[3][k_block_nodes];
   constexpr NodeCoordinates() : along() {
     for (int n = 0; n < k_block_nodes; ++n)
-      along[0][n] = static_cast<Real>(n / 16), along[1][n] = static_cast<Real>(n / 4 % 4), along[2][n] = static_cast<Real>(n % 4);
+      for (std::size_t d = 0; d < 3; ++d) along[d][n] = static_cast<Real>(coordinates_in_block(n)[d]);
   }
 };
 template <class Real>

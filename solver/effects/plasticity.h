@@ -148,12 +148,14 @@ struct Plasticity {
   }
 
   /// Newton's method from `z`, a lower bound of the root of a concave function: it rises to the root, never passes it and needs no
-  /// bracket. step(z) is Newton's, infinite where nothing resists. Lanes that are not `flowing` keep their z; `watch` is called in every
-  /// iteration with the lanes that still move.
+  /// bracket. step(z) is Newton's, infinite where nothing resists: then z ends where no shear stress is left. Lanes that are not `flowing`
+  /// keep their z; `watch` is called in every iteration with the lanes that still move.
   template <class Real, class V, class Mask, class Step, class Watch>
-  BAKE_INLINE static V newton(V z, V z_most, Mask flowing, Step step, Watch watch) {
+  BAKE_INLINE static V newton(V z, Real mu3, Mask flowing, Step step, Watch watch) {
+    const V z_most = lanes<Real>(Real(1e12) / mu3);
     constexpr Real k_close = sizeof(Real) == 4 ? Real(3e-4) : Real(1e-8);  // of z; convergence is quadratic
     constexpr int k_most = sizeof(Real) == 4 ? 40 : 60;
+    z = min(z, z_most);
     Mask active = flowing;
     for (int iteration = 0; iteration < k_most; ++iteration) {
       watch(active);
@@ -182,12 +184,12 @@ struct Plasticity {
   template <class V, class Mask, class Real, class Watch>
   BAKE_INLINE static V solve_distance(V ap2, V q2, V aK, Real mu3, V tau_y, V eta_dt, Mask flowing, Watch watch) {
     constexpr Real k_least = sizeof(Real) == 4 ? Real(1e-36) : Real(1e-200);
-    const V none = lanes<Real>(0), z_most = lanes<Real>(Real(1e12) / mu3);
+    const V none = lanes<Real>(0);
     const V inverse_r0 = 1 / sqrt(flowing ? ap2 + q2 : 1 + none);
     const V A0 = ap2 * inverse_r0 * inverse_r0, B0 = q2 * inverse_r0 * inverse_r0, y = tau_y * inverse_r0;
     const V first = (1 - y) / ((A0 * aK + B0 * mu3) * y + eta_dt + k_least);  // of Newton's steps, from 0
     return newton<Real>(
-        flowing ? min(first, z_most) : none, z_most, flowing,
+        flowing ? first : none, mu3, flowing,
         [&](V z) {
           const auto [pa, qa] = shrunk(aK, mu3, z);
           const V A = A0 * pa * pa, B = B0 * qa * qa, r2 = A + B, r = sqrt(r2);
@@ -204,7 +206,7 @@ struct Plasticity {
     const V near = (ap2 + q2 - tau_y * tau_y) / (2 * (ap2 * aK + q2 * mu3) + Real(0.5) * eta_dt + k_tiny<Real>);
     const V far = max(far_start<Real>(ap2, aK, tau_y, eta_dt), far_start<Real>(q2, lanes<Real>(mu3), tau_y, eta_dt));
     return newton<Real>(
-        flowing ? max(near, far) : 0 * near, lanes<Real>(Real(1e12) / mu3), flowing,
+        flowing ? max(near, far) : 0 * near, mu3, flowing,
         [&](V z) {
           const auto [pa, qa] = shrunk(aK, mu3, z);
           const V A = ap2 * pa * pa, B = q2 * qa * qa, r2 = A + B + k_tiny<Real>, r = sqrt(r2);

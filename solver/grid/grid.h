@@ -29,9 +29,12 @@ inline constexpr int k_packs = k_block_nodes / k_width<Real>;
 /// Node of a block, 0..63, from its coordinates 0..3.
 constexpr int node_in_block(int x, int y, int z) { return (x * 4 + y) * 4 + z; }
 
+/// Its inverse.
+constexpr std::array<int, 3> coordinates_in_block(int node) { return {node / 16, node / 4 % 4, node % 4}; }
+
 /// Where that node is [m], of a block whose first one is at `origin`.
 inline Point node_position(const Point& origin, double dx, int node) {
-  const int x = node / 16, y = node / 4 % 4, z = node % 4;
+  const auto [x, y, z] = coordinates_in_block(node);
   return origin + dx * Vector3{double(x), double(y), double(z)};
 }
 

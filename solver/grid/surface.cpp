@@ -254,10 +254,10 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
   const Point origin = lattice.origin(active.at[s]);
   for (std::size_t k = 0; k < k_block_nodes; ++k) {
     if (r[k] == 0) continue;
-    const int x = static_cast<int>(k >> 4), y = static_cast<int>(k >> 2 & 3), z = static_cast<int>(k & 3), i = halo_index(x, y, z);
+    const auto [x, y, z] = coordinates_in_block(static_cast<int>(k));
+    const int i = halo_index(x, y, z);
     const Vector3 inward{double(g.along[0].at[i]), double(g.along[1].at[i]), double(g.along[2].at[i])};
-    const auto heat =
-        contacts.covering(origin + lattice.dx() * Vector3{double(x), double(y), double(z)}, (-1 / length(inward)) * inward, reach);
+    const auto heat = contacts.covering(node_position(origin, lattice.dx(), static_cast<int>(k)), (-1 / length(inward)) * inward, reach);
     if (!heat) continue;
     auto cover = std::find_if(covers_[s].begin(), covers_[s].end(), [&](const Cover& c) { return c.heat == *heat; });
     if (cover == covers_[s].end()) cover = covers_[s].insert(cover, Cover{*heat, {}});
