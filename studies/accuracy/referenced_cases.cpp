@@ -68,7 +68,9 @@ Case rising_ball() {
 
 Case cookie() {
   Case c;
-  c.measured = "height gain, width gain, mean temperature and gas made at the end, rms, each relative to its change";
+  c.measured =
+      "height gain, width gain, mean temperature and gas made at the end, rms, each relative to its change, against a fine run with the "
+      "scene's own inertia and p_ref";
   c.cells_of = "20.4 mm, dx at draft";
   c.cells = {1, 2};
   c.full_cells = {3, 4};
