@@ -20,6 +20,7 @@ int compare(const CompareFiles& arguments) {
   std::vector<studies::BenchFile> others;
   for (std::size_t i = 1; i < arguments.files.size(); ++i) others.push_back(studies::read_bench_file(arguments.files[i]));
   std::vector<std::vector<studies::BenchRatio>> ratios;
+  ratios.reserve(others.size());
   for (const studies::BenchFile& other : others) ratios.push_back(studies::compare(base, other));
   if (!arguments.out.empty()) charts::write_chart(studies::chart_of(base, others, ratios), arguments.out);
   for (std::size_t i = 0; i < others.size(); ++i) fmt::print("{}{}", i == 0 ? "" : "\n\n", studies::in_words(base, others[i], ratios[i]));
