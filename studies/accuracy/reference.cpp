@@ -33,7 +33,7 @@ std::map<std::string, double> values_of(const Results& run, const std::vector<Qu
   return values;
 }
 
-/// A run that came apart asks for ever smaller steps: it is to fail, not to go on for hours. Settings that hold need a tenth as many.
+/// A run that came apart asks for ever smaller steps: it is to fail, not to go on for hours. Those that held took at most a fifth of these.
 Scene bounded(Scene scene) {
   constexpr double k_most_steps = 3e5;
   scene.time.smallest_step_s = std::max(scene.time.smallest_step_s, scene.run.end_s / k_most_steps);
