@@ -84,7 +84,8 @@ Case cookie() {
             {{"height gain", "height_gain", {}, 1},
              {"width gain", "extent_x_gain", {}, 1},
              {"mean temperature", "mean_temperature", {}, 0},
-             {"gas made", "gas_made"}}});
+             {"gas made", "gas_made"}},
+            {"time.safety=0.5"}});
   return c;
 }
 
