@@ -70,22 +70,33 @@ std::string limits(const MachineSpeed& speed) {
       range(speed.triad_GB_per_s), range(speed.single_GFLOPs), range(speed.double_GFLOPs));
 }
 
-/// How many times and under which load.
+/// What `load` processes that waited or ran did to the times: a run that waits for its core takes longer than its processor time.
+std::string disturbance(double load, double wall_over_cpu) {
+  if (wall_over_cpu > 1.05)
+    return "other programs shared the processors, so that **the times are not to be concluded from**; errors and particle-steps do not "
+           "depend on it";
+  const std::string waited =
+      fmt::format("no run waited for its core (wall time at most {:.1f} % over processor time)", 100 * (wall_over_cpu - 1));
+  return load > 1.5 ? "other programs ran beside; " + waited + ", but caches and memory it shared" : waited;
+}
+
+/// How often, under which load.
 std::string timing(const std::vector<CaseResult>& results) {
-  int fewest = std::numeric_limits<int>::max();
-  double load = 0;
+  constexpr double k_measurable_s = 0.05;
+  constexpr int k_repeats = 5;
+  int variants = 0, often = 0;
+  double load = 0, wall_over_cpu = 1;
   for (const CaseResult& r : results)
     for (const Curve& curve : r.curves())
       for (const Point& p : curve.points) {
-        if (!p.failed()) fewest = std::min(fewest, p.repeats);
+        if (!p.failed()) ++variants, often += p.repeats >= k_repeats;
         load = std::max(load, p.load_average.high);
+        if (p.cpu_s.median > k_measurable_s) wall_over_cpu = std::max(wall_over_cpu, p.wall_s.median / p.cpu_s.median);
       }
   return fmt::format(
-      "Every variant was run in turn, each at least {} time(s); medians are given, with the spread. The load average went up to {:.1f}{}",
-      fewest, load,
-      load > 1.5 ? ": other programs shared the processors, so that **the times are not to be concluded from**; errors and "
-                   "particle-steps do not depend on it."
-                 : ".");
+      "The variants were run in turn, {} of {} at least {} times, the rest, which take over a minute, fewer; medians are given, with the "
+      "spread. The load average went up to {:.1f}: {}.",
+      often, variants, k_repeats, load, disturbance(load, wall_over_cpu));
 }
 
 /// The default's errors of each quantity; empty if the case has but one.
