@@ -264,7 +264,18 @@ void Engine<Real>::change_velocities(std::size_t slot, const NodeSums<Real>* sum
   }
 }
 
-template void Engine<float>::update_grid();
-template void Engine<double>::update_grid();
+#define BAKE_INSTANTIATE(Real)                                                                                         \
+  template void Engine<Real>::update_grid();                                                                           \
+  template void Engine<Real>::update_block(std::size_t, const Air&, const Step<Real>&, Bookings&);                     \
+  template bool Engine<Real>::is_empty(const Real*) const;                                                             \
+  template Surroundings<Real> Engine<Real>::surroundings(int, const BlockSurroundings<Real>*, const Air&);             \
+  template void Engine<Real>::hold_temperatures(std::size_t, int, Surroundings<Real>&) const;                          \
+  template void Engine<Real>::book_momentum(std::size_t, const NodeSums<Real>*, const Lanes<Real>(*)[k_most_channels], \
+                                            const Lanes<Real>(&)[3], Bookings&) const;                                 \
+  template void Engine<Real>::measure_published_surface(const Air&);                                                   \
+  template Lanes<Real> Engine<Real>::temperatures(std::size_t, int) const;
+BAKE_INSTANTIATE(float)
+BAKE_INSTANTIATE(double)
+#undef BAKE_INSTANTIATE
 
 }  // namespace bake

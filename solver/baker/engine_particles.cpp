@@ -244,5 +244,6 @@ void Engine<Real>::carry_velocity(const ParticleStore<Real>& before, const std::
   template void Engine<Real>::carry_velocity(const ParticleStore<Real>&, const std::vector<NewParticle>&);
 BAKE_INSTANTIATE(float)
 BAKE_INSTANTIATE(double)
+#undef BAKE_INSTANTIATE
 
 }  // namespace bake
