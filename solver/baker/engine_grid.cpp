@@ -264,6 +264,7 @@ void Engine<Real>::change_velocities(std::size_t slot, const NodeSums<Real>* sum
   }
 }
 
+// All of them: the extern template of the class keeps a compiler from making one where it is called.
 #define BAKE_INSTANTIATE(Real)                                                                                         \
   template void Engine<Real>::update_grid();                                                                           \
   template void Engine<Real>::update_block(std::size_t, const Air&, const Step<Real>&, Bookings&);                     \

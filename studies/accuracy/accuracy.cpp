@@ -20,7 +20,7 @@ namespace accuracy {
 
 namespace {
 
-constexpr int k_repeats = 5, k_quick_repeats = 2;
+constexpr int k_quick_repeats = 2;
 constexpr double k_long_s = 60;  ///< what takes longer is repeated with --full only
 
 Effort effort_of(const StudyOptions& options) { return options.quick ? Effort::quick : options.full ? Effort::full : Effort::usual; }

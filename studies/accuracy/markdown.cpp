@@ -83,7 +83,6 @@ std::string disturbance(double load, double wall_over_cpu) {
 /// How often, under which load.
 std::string timing(const std::vector<CaseResult>& results) {
   constexpr double k_measurable_s = 0.05;
-  constexpr int k_repeats = 5;
   int variants = 0, often = 0;
   double load = 0, wall_over_cpu = 1;
   for (const CaseResult& r : results)
@@ -94,8 +93,9 @@ std::string timing(const std::vector<CaseResult>& results) {
         if (p.cpu_s.median > k_measurable_s) wall_over_cpu = std::max(wall_over_cpu, p.wall_s.median / p.cpu_s.median);
       }
   return fmt::format(
-      "The variants were run in turn, {} of {} at least {} times, the rest, which take over a minute, fewer; medians are given, with the "
-      "spread. The load average went up to {:.1f}: {}.",
+      "The variants were run in turn, {} of {} at least {} times, the rest fewer (--quick, or over a minute each without --full); medians "
+      "are "
+      "given, with the spread. The load average went up to {:.1f}: {}.",
       often, variants, k_repeats, load, disturbance(load, wall_over_cpu));
 }
 
