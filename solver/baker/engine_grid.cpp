@@ -121,7 +121,7 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
   Lanes<Real> out[k_packs<Real>][k_most_channels];
   NodeSums<Real> sums[k_packs<Real>];
   for (int pack = 0; pack < k_packs<Real>; ++pack) {
-    const auto n = static_cast<std::size_t>(pack * W);
+    const std::size_t n = static_cast<std::size_t>(pack) * W;
     prefetch_rows(from + (k_block_nodes + n) * RS, W * RS);  // of the next block
     kernel_->take_nodes(from + n * RS, in);
     Surroundings<Real> around = surroundings(pack, has_surface ? &surface : nullptr, air);
