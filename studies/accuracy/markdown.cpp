@@ -93,9 +93,8 @@ std::string timing(const std::vector<CaseResult>& results) {
         if (p.cpu_s.median > k_measurable_s) wall_over_cpu = std::max(wall_over_cpu, p.wall_s.median / p.cpu_s.median);
       }
   return fmt::format(
-      "The variants were run in turn, {} of {} at least {} times, the rest fewer (--quick, or over a minute each without --full); medians "
-      "are "
-      "given, with the spread. The load average went up to {:.1f}: {}.",
+      "The variants were run in turn, {} of {} at least {} times, the rest fewer (--quick, or over a minute each without --full); "
+      "medians are given, with the spread. The load average went up to {:.1f}: {}.",
       often, variants, k_repeats, load, disturbance(load, wall_over_cpu));
 }
 
