@@ -147,20 +147,19 @@ struct Plasticity {
     return {Q * both, P * both};
   }
 
-  /// Newton's method from `z`, a lower bound of the root of a concave function: it rises to the root, never passes it and needs no
-  /// bracket. step(z) is Newton's, infinite where nothing resists: then z ends where no shear stress is left. Lanes that are not `flowing`
-  /// keep their z; `watch` is called in every iteration with the lanes that still move.
+  /// Newton's method for the root of a concave function that is negative at 0: from below it rises to the root and never passes it, from
+  /// above its first step falls below. So it needs no bracket but 0 and `far`, where it ends if nothing resists (step(z), Newton's, is
+  /// infinite then). Lanes that are not `flowing` keep their z; `watch` is called in every iteration with the lanes that still move.
   template <class Real, class V, class Mask, class Step, class Watch>
-  BAKE_INLINE static V newton(V z, Real mu3, Mask flowing, Step step, Watch watch) {
-    const V z_most = lanes<Real>(Real(1e12) / mu3);
+  BAKE_INLINE static V newton(V z, V far, Mask flowing, Step step, Watch watch) {
     constexpr Real k_close = sizeof(Real) == 4 ? Real(3e-4) : Real(1e-8);  // of z; convergence is quadratic
     constexpr int k_most = sizeof(Real) == 4 ? 40 : 60;
-    z = min(z, z_most);
+    z = min(z, far);
     Mask active = flowing;
     for (int iteration = 0; iteration < k_most; ++iteration) {
       watch(active);
-      const V next = min(max(z + step(z), z), z_most);
-      const V moved = next - z;
+      const V next = clamp(z + step(z), lanes<Real>(0), far);
+      const V moved = abs(next - z);
       z = active ? next : z;
       active = active & (moved > k_close * next);
       if (!any(active)) break;
@@ -180,23 +179,29 @@ struct Plasticity {
                      : solve_distance(ap2, q2, aK, mu3, tau_y, eta_dt, flowing, watch);
   }
 
-  /// Stresses are counted in r(0) here, so that none is out of range; g and its slope are multiplied by r.
+  /// Stresses are counted in r(0) and z in 1 / (3 mu) here. With P = 1 + alpha z, Q = 1 + z and N = (P Q r)^2 = A Q^2 + B P^2,
+  ///     1/r = P Q N^(-1/2),   (1/r)' = (A (P + alpha - 1) Q^2 + B P^3) N^(-3/2),   (1/r)" = -3 A B (1 - alpha)^2 P Q N^(-5/2);
+  /// Newton's step is multiplied out: an iteration waits for one root and one division. The first, from 0, is Chebyshev's of third
+  /// order, at most twice Newton's.
   template <class V, class Mask, class Real, class Watch>
   BAKE_INLINE static V solve_distance(V ap2, V q2, V aK, Real mu3, V tau_y, V eta_dt, Mask flowing, Watch watch) {
     constexpr Real k_least = sizeof(Real) == 4 ? Real(1e-36) : Real(1e-200);
+    constexpr Real k_far = sizeof(Real) == 4 ? Real(1e12) : Real(1e30);  // of P and Q; its cube is in range
     const V none = lanes<Real>(0);
     const V inverse_r0 = 1 / sqrt(flowing ? ap2 + q2 : 1 + none);
-    const V A0 = ap2 * inverse_r0 * inverse_r0, B0 = q2 * inverse_r0 * inverse_r0, y = tau_y * inverse_r0;
-    const V first = (1 - y) / ((A0 * aK + B0 * mu3) * y + eta_dt + k_least);  // of Newton's steps, from 0
-    return newton<Real>(
-        flowing ? first : none, mu3, flowing,
+    const V A = ap2 * inverse_r0 * inverse_r0, B = q2 * inverse_r0 * inverse_r0, y = tau_y * inverse_r0;
+    const V alpha = aK * (1 / mu3), alpha_1 = alpha - 1, e = eta_dt * (1 / mu3);
+    const V run = 1 / ((A * alpha + B) * y + e + k_least), first = (1 - y) * run;
+    const V bend = Real(1.5) * A * B * alpha_1 * alpha_1 * y;
+    const V z = newton<Real>(
+        flowing ? first * (1 + min(bend * first * run, 1 + none)) : none, lanes<Real>(k_far), flowing,
         [&](V z) {
-          const auto [pa, qa] = shrunk(aK, mu3, z);
-          const V A = A0 * pa * pa, B = B0 * qa * qa, r2 = A + B, r = sqrt(r2);
-          const V bend = (A * pa * aK + B * qa * mu3) / r2;  // -d(ln r)/dz
-          return (r * (1 - eta_dt * z) - y) / (bend * y + eta_dt * r + k_least);
+          const V P = min(1 + alpha * z, lanes<Real>(k_far)), Q = 1 + z, P2 = P * P, Q2 = Q * Q;
+          const V N = A * Q2 + B * P2, root = sqrt(N);
+          return N * (root * (1 - e * z) - y * (P * Q)) / (y * (A * Q2 * (P + alpha_1) + B * (P2 * P)) + e * (N * root) + k_least);
         },
         watch);
+    return z * (1 / mu3);
   }
 
   /// g is scaled by the root of tau_y^2 + (eta/dt) z / 2.
@@ -206,7 +211,7 @@ struct Plasticity {
     const V near = (ap2 + q2 - tau_y * tau_y) / (2 * (ap2 * aK + q2 * mu3) + Real(0.5) * eta_dt + k_tiny<Real>);
     const V far = max(far_start<Real>(ap2, aK, tau_y, eta_dt), far_start<Real>(q2, lanes<Real>(mu3), tau_y, eta_dt));
     return newton<Real>(
-        flowing ? max(near, far) : 0 * near, mu3, flowing,
+        flowing ? max(near, far) : 0 * near, lanes<Real>(Real(1e12) / mu3), flowing,
         [&](V z) {
           const auto [pa, qa] = shrunk(aK, mu3, z);
           const V A = ap2 * pa * pa, B = q2 * qa * qa, r2 = A + B + k_tiny<Real>, r = sqrt(r2);
