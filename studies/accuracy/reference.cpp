@@ -33,16 +33,9 @@ std::map<std::string, double> values_of(const Results& run, const std::vector<Qu
   return values;
 }
 
-/// A run that came apart asks for ever smaller steps: it is to fail, not to go on for hours. Those that held took at most a fifth of these.
-Scene bounded(Scene scene) {
-  constexpr double k_most_steps = 3e5;
-  scene.time.smallest_step_s = std::max(scene.time.smallest_step_s, scene.run.end_s / k_most_steps);
-  return scene;
-}
-
 /// Steps through the scene and leaves what Results reads: first and last frame, ledger, run.json.
 void run_for_results(const Scene& scene, By by, const fs::path& folder, Found& found) {
-  const auto running = begin(bounded(scene), by);
+  const auto running = begin(scene, by);
   LedgerFile ledger = LedgerFile::create(folder / "ledger.csv", running->ledger_names());
   ledger.append(running->ledger_row());
   running->write_frame_file(folder / "frames" / frame_name(0));
