@@ -35,7 +35,7 @@ std::map<std::string, double> values_of(const Results& run, const std::vector<Qu
 
 /// Steps through the scene and leaves what Results reads: first and last frame, ledger, run.json.
 void run_for_results(const Scene& scene, By by, const fs::path& folder, Found& found) {
-  const auto running = begin(scene, by);
+  const auto running = begin(scene, by, scene.run.end_s);
   LedgerFile ledger = LedgerFile::create(folder / "ledger.csv", running->ledger_names());
   ledger.append(running->ledger_row());
   running->write_frame_file(folder / "frames" / frame_name(0));

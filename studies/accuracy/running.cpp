@@ -137,19 +137,19 @@ class Staged final : public Running {
 };
 
 /// A run that came apart asks for ever smaller steps: it is to fail, not to go on for hours. Those that held took at most a fifth of these.
-Scene bounded(Scene scene) {
+Scene bounded(Scene scene, double end_s) {
   constexpr double k_most_steps = 3e5;
-  scene.time.smallest_step_s = std::max(scene.time.smallest_step_s, scene.run.end_s / k_most_steps);
+  scene.time.smallest_step_s = std::max(scene.time.smallest_step_s, end_s / k_most_steps);
   return scene;
 }
 
 }  // namespace
 
-std::unique_ptr<Running> begin(const Scene& scene, By by, const NodalForce& force) {
+std::unique_ptr<Running> begin(const Scene& scene, By by, double end_s, const NodalForce& force) {
   omp_set_num_threads(1);
-  if (by == By::solver) return std::make_unique<Fused>(bounded(scene), force);
+  if (by == By::solver) return std::make_unique<Fused>(bounded(scene, end_s), force);
   if (force) throw std::logic_error("a force by the textbook");
-  return std::make_unique<Staged>(bounded(scene));
+  return std::make_unique<Staged>(bounded(scene, end_s));
 }
 
 }  // namespace bake::studies::accuracy

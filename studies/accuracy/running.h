@@ -27,9 +27,9 @@ class Running {
   virtual void write_frame_file(const std::filesystem::path& path) const = 0;
 };
 
-/// Begins a scene, with one thread. It fails when it comes apart: when stability asks for steps of which 300 thousand would not bring
-/// it to its end. The textbook takes the steps that the solver chooses; it knows no emitters and no `force`.
+/// Begins a scene that is to go to `end_s`, with one thread. It fails when it comes apart: when stability asks for steps of which 300
+/// thousand would not bring it there. The textbook takes the steps that the solver chooses; it knows no emitters and no `force`.
 /// Throws InputError.
-std::unique_ptr<Running> begin(const Scene& scene, By by, const NodalForce& force = {});
+std::unique_ptr<Running> begin(const Scene& scene, By by, double end_s, const NodalForce& force = {});
 
 }  // namespace bake::studies::accuracy

@@ -8,7 +8,7 @@
 namespace bake::studies::accuracy {
 
 Found simulate(const Scene& scene, By by, const std::vector<double>& times, const Compare& compare, const NodalForce& force) {
-  const auto running = begin(scene, by, force);
+  const auto running = begin(scene, by, times.back(), force);
   Found found;
   std::vector<Snapshot> seen;
   try {
