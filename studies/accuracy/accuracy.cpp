@@ -21,7 +21,6 @@ namespace accuracy {
 namespace {
 
 constexpr int k_quick_repeats = 2;
-constexpr double k_long_s = 60;  ///< what takes longer is repeated with --full only
 
 Effort effort_of(const StudyOptions& options) { return options.quick ? Effort::quick : options.full ? Effort::full : Effort::usual; }
 
@@ -42,23 +41,22 @@ struct Task {
   Scene scene;
   Identity identity;
 
-  bool needed(int pass, bool long_ones) const {
+  /// A run that fails fails again.
+  bool needed(int pass) const {
     const auto& done = raw->of(identity);
     if (static_cast<int>(done.size()) > pass) return false;
-    if (done.empty()) return true;
-    const auto& found = done.front().at("found");
-    return found.at("failure").get<std::string>().empty() && (long_ones || found.at("wall_s").get<double>() < k_long_s);
+    return done.empty() || done.front().at("found").at("failure").get<std::string>().empty();
   }
 };
 
 /// In passes over all variants, so that whatever else the machine does meets all alike; its own speed is measured before each pass.
 /// Returns how many were measured.
-int measure(std::vector<Task>& tasks, int repeats, bool long_ones) {
+int measure(std::vector<Task>& tasks, int repeats) {
   int measured = 0;
   for (int pass = 0; pass < repeats; ++pass) {
     std::optional<bench::Speed> speed;
     for (Task& t : tasks) {
-      if (!t.needed(pass, long_ones)) continue;
+      if (!t.needed(pass)) continue;
       if (!speed) speed = bench::measure_speed(1);
       const Found found = t.of->measure(t.scene, t.variant.by);
       t.raw->append(t.identity, found, *speed);
@@ -123,7 +121,7 @@ bool run_accuracy(const StudyOptions& options) {
       tasks.push_back({c, &raw.at(c->name), v, std::move(scene), identity});
     }
   }
-  const int measured = measure(tasks, options.quick ? k_quick_repeats : k_repeats, options.full);
+  const int measured = measure(tasks, options.quick ? k_quick_repeats : k_repeats);
   if (options.measure_only) {
     fmt::print("{} measured now; the page is left to a call without --measure-only\n", measured);
     return true;

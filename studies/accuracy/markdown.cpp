@@ -92,10 +92,12 @@ std::string timing(const std::vector<CaseResult>& results) {
         load = std::max(load, p.load_average.high);
         if (p.cpu_s.median > k_measurable_s) wall_over_cpu = std::max(wall_over_cpu, p.wall_s.median / p.cpu_s.median);
       }
-  return fmt::format(
-      "The variants were run in turn, {} of {} at least {} times, the rest fewer (--quick, or over a minute each without --full); "
-      "medians are given, with the spread. The load average went up to {:.1f}: {}.",
-      often, variants, k_repeats, load, disturbance(load, wall_over_cpu));
+  const std::string repeated =
+      often == variants
+          ? fmt::format("each at least {} times", k_repeats)
+          : fmt::format("{} of {} at least {} times, the rest fewer (--quick, or a study that was stopped)", often, variants, k_repeats);
+  return fmt::format("The variants were run in turn, {}; medians are given, with the spread. The load average went up to {:.1f}: {}.",
+                     repeated, load, disturbance(load, wall_over_cpu));
 }
 
 /// The default's errors of each quantity; empty if the case has but one.
