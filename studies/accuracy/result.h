@@ -17,7 +17,7 @@ struct QualityResult {
   const Point* better;                       ///< the cheapest as good, in particle-steps
 };
 
-/// Measurements of a variant, unless it is long or --quick is asked for.
+/// Measurements of a variant, unless --quick is asked for.
 inline constexpr int k_repeats = 5;
 inline constexpr double k_allowed_excess = 1.5;
 inline constexpr double k_goals[] = {0.1, 0.03, 0.01, 0.003};

@@ -29,7 +29,7 @@ class Running {
 
 /// Begins a scene that is to go to `end_s`, with one thread. It fails when it comes apart: when stability asks for steps of which 300
 /// thousand would not bring it there. The textbook takes the steps that the solver chooses; it knows no emitters and no `force`.
-/// Throws InputError.
+/// Throws InputError, RunError (the first step is too short already).
 std::unique_ptr<Running> begin(const Scene& scene, By by, double end_s, const NodalForce& force = {});
 
 }  // namespace bake::studies::accuracy
