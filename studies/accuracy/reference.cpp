@@ -33,31 +33,23 @@ std::map<std::string, double> values_of(const Results& run, const std::vector<Qu
   return values;
 }
 
-/// Steps through the scene and leaves what Results reads: first and last frame, ledger, run.json.
-void run_for_results(const Scene& scene, By by, const fs::path& folder, Found& found) {
-  const auto running = begin(scene, by, scene.run.end_s);
-  LedgerFile ledger = LedgerFile::create(folder / "ledger.csv", running->ledger_names());
-  ledger.append(running->ledger_row());
-  running->write_frame_file(folder / "frames" / frame_name(0));
-  try {
-    running->advance(scene.run.end_s, found);
-  } catch (const RunError& error) {
-    found.failure = error.what();
-  }
-  running->count(found);
-  ledger.append(running->ledger_row());
-  running->write_frame_file(folder / "frames" / frame_name(1));
+/// Goes through the scene and leaves what Results reads: first and last frame, ledger, run.json.
+void leave_results(const Scene& scene, const fs::path& folder, Running& running, Found& found) {
+  fs::create_directories(folder / "frames");
+  LedgerFile ledger = LedgerFile::create(folder / "ledger.csv", running.ledger_names());
+  const auto leave_frame = [&](int frame) {
+    ledger.append(running.ledger_row());
+    running.write_frame_file(folder / "frames" / frame_name(frame));
+  };
+  leave_frame(0);
+  running.advance(scene.run.end_s, found);
+  leave_frame(1);
   write_text_atomically(folder / "run.json", json{{"summary", {{"state", "done"}}}}.dump());
 }
 
-Found measure(const ReferencedScene& of, const Scene& scene, By by) {
-  Found found;
-  const ScratchFolder scratch;  // for the two frames that metrics are taken from
-  fs::create_directories(scratch / "frames");
-  run_for_results(scene, by, scratch.path(), found);
-  if (!found.failure.empty()) return found;
+void compare_with_reference(const ReferencedScene& of, const Results& results, Found& found) {
   const json reference = json::parse(std::ifstream(reference_file(of.name)));
-  const auto values = values_of(Results(scratch.path()), of.quantities);
+  const auto values = values_of(results, of.quantities);
   double sum = 0;
   for (const Quantity& q : of.quantities) {
     const double right = reference.at("quantities").at(q.name);
@@ -65,8 +57,14 @@ Found measure(const ReferencedScene& of, const Scene& scene, By by) {
     sum += std::pow(found.parts[q.name], 2);
   }
   found.error = std::sqrt(sum / static_cast<double>(of.quantities.size()));
-  if (!std::isfinite(found.error)) found.failure = "the result is no number";
-  return found;
+}
+
+Found measure(const ReferencedScene& of, const Scene& scene, By by) {
+  return run(scene, by, scene.run.end_s, [&](Running& running, Found& found) {
+    const ScratchFolder scratch;  // for the two frames that metrics are taken from
+    leave_results(scene, scratch.path(), running, found);
+    compare_with_reference(of, Results(scratch.path()), found);
+  });
 }
 
 /// One frame a run: steps end where the scene ends.

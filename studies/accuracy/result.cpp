@@ -155,7 +155,10 @@ json as_json(const MachineSpeed& speed) {
           {"double_GFLOPs", as_json(speed.double_GFLOPs)}};
 }
 
-std::string words_of(const Point& point) { return fmt::format("{}, {} cells", point.variant.label, point.variant.cells); }
+std::string words_of(const Point& point) {
+  const int cells = point.variant.cells;
+  return fmt::format("{}, {} {}", point.variant.label, cells, cells == 1 ? "cell" : "cells");
+}
 
 std::string percent(double share) { return fmt::format("{:.2g} %", 100 * share); }
 

@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <stdexcept>
 
@@ -143,13 +144,27 @@ Scene bounded(Scene scene, double end_s) {
   return scene;
 }
 
+std::unique_ptr<Running> begin(const Scene& scene, By by, const NodalForce& force) {
+  if (by == By::solver) return std::make_unique<Fused>(scene, force);
+  if (force) throw std::logic_error("a force by the textbook");
+  return std::make_unique<Staged>(scene);
+}
+
 }  // namespace
 
-std::unique_ptr<Running> begin(const Scene& scene, By by, double end_s, const NodalForce& force) {
+Found run(const Scene& scene, By by, double end_s, const Work& work, const NodalForce& force) {
   omp_set_num_threads(1);
-  if (by == By::solver) return std::make_unique<Fused>(bounded(scene, end_s), force);
-  if (force) throw std::logic_error("a force by the textbook");
-  return std::make_unique<Staged>(bounded(scene, end_s));
+  Found found;
+  std::unique_ptr<Running> running;
+  try {
+    running = begin(bounded(scene, end_s), by, force);
+    work(*running, found);
+    if (!std::isfinite(found.error)) found.failure = "the result is no number";
+  } catch (const RunError& error) {
+    found.failure = error.what();
+  }
+  if (running) running->count(found);
+  return found;
 }
 
 }  // namespace bake::studies::accuracy

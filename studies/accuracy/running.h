@@ -27,9 +27,12 @@ class Running {
   virtual void write_frame_file(const std::filesystem::path& path) const = 0;
 };
 
-/// Begins a scene that is to go to `end_s`, with one thread. It fails when it comes apart: when stability asks for steps of which 300
-/// thousand would not bring it there. The textbook takes the steps that the solver chooses; it knows no emitters and no `force`.
-/// Throws InputError, RunError (the first step is too short already).
-std::unique_ptr<Running> begin(const Scene& scene, By by, double end_s, const NodalForce& force = {});
+/// Goes through a run that has begun and finds its error.
+using Work = std::function<void(Running&, Found&)>;
+
+/// Begins a scene that is to go to `end_s`, with one thread, and gives it to `work`. A run that fails, or an error that is no number, is
+/// a Found with its failure; so is a run that comes apart: stability asks for steps of which 300 thousand would not bring it there.
+/// The textbook takes the steps that the solver chooses; it knows no emitters and no `force`. Throws InputError.
+Found run(const Scene& scene, By by, double end_s, const Work& work, const NodalForce& force = {});
 
 }  // namespace bake::studies::accuracy

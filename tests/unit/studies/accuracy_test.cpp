@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include "solver/scene/entry.h"
@@ -108,6 +109,18 @@ TEST(TheTextbook, FindsTheQuantitiesOfInterestOfTheSolver) {
     ASSERT_EQ(staged.parts.size(), fused.parts.size());
     for (const auto& [quantity, error] : fused.parts)
       EXPECT_NEAR(staged.parts.at(quantity), error, 1e-9 * error) << name << ", " << quantity;
+  }
+}
+
+TEST(AVariantWhoseVeryFirstStepIsTooShort, IsAFailureAndNoEndOfTheStudy) {
+  for (const char* name : {"heated_slab", "rising_ball"}) {  // against an exact solution, and against a fine run
+    const Case& c = find_case(name);
+    const Scene scene = c.scene_of({"too short", 3, 0, {"time.smallest_step_s=1e6", "time.largest_step_s=1e6"}});
+    for (const By by : {By::solver, By::textbook}) {
+      const Found found = c.measure(scene, by);
+      EXPECT_NE(found.failure.find("below time.smallest_step_s"), std::string::npos) << name << ": " << found.failure;
+      EXPECT_TRUE(std::isnan(found.error)) << name;
+    }
   }
 }
 
