@@ -22,10 +22,21 @@ std::string name_of(const Scene& scene) {
   return file.parent_path().filename().string() + "/" + file.stem().string();
 }
 
+/// Two figures, and never an exponent for what is large: "0.034", "2.7", "604".
+std::string brief(double number) { return number < 99.5 ? fmt::format("{:.2g}", number) : fmt::format("{:.0f}", number); }
+
 std::string line_of(const json& q, const std::string& cpu) {
-  const double error = q.at("error"), time = q.at("cpu_s");
-  return fmt::format("{}: error {:.2g} %, {:.2g} million particle-steps, {:.2g} s of one core of {}", q.at("quality").get<std::string>(),
-                     100 * error, q.at("particle_steps").get<double>() / 1e6, time, cpu);
+  return fmt::format("{}: error {} %, {} million particle-steps, {} s of one core of {}", q.at("quality").get<std::string>(),
+                     brief(100 * q.at("error").get<double>()), brief(q.at("particle_steps").get<double>() / 1e6), brief(q.at("cpu_s")),
+                     cpu);
+}
+
+/// Of paper, whose dx is half of standard's as standard's is half of draft's, if those two are all that was measured; else empty.
+std::string outlook_of(const json& qualities) {
+  if (qualities.size() != 2 || qualities[0].at("quality") != "draft" || qualities[1].at("quality") != "standard") return "";
+  const double draft = qualities[0].at("error"), standard = qualities[1].at("error");
+  return fmt::format("paper: not measured; error about {} % if it falls on as from draft to standard",
+                     brief(100 * standard * standard / draft));
 }
 
 }  // namespace
@@ -43,6 +54,7 @@ std::vector<std::string> expected_of(const Scene& scene, const std::filesystem::
       if (c.at("scene_fingerprint") != scene_fingerprint(at_paper))
         return {"measured of another version of this scene (bake study accuracy)"};
       for (const json& q : c.at("qualities")) lines.push_back(line_of(q, cpu));
+      if (const std::string outlook = outlook_of(c.at("qualities")); !outlook.empty()) lines.push_back(outlook);
       if (!lines.empty()) lines.push_back("the error is that of: " + c.at("measured").get<std::string>());
     }
   } catch (const json::exception& error) {

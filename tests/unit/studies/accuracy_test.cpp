@@ -10,11 +10,14 @@
 
 #include "solver/scene/entry.h"
 #include "solver/scene/input_error.h"
+#include "solver/scene/reader.h"
+#include "solver/scene/resolved.h"
 #include "solver/scene/scene.h"
 #include "studies/accuracy/expected.h"
 #include "studies/accuracy/knobs.h"
 #include "studies/accuracy/reference.h"
 #include "studies/accuracy/result.h"
+#include "studies/accuracy/scene_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bake::studies::accuracy {
@@ -122,6 +125,35 @@ TEST(AVariantWhoseVeryFirstStepIsTooShort, IsAFailureAndNoEndOfTheStudy) {
       EXPECT_TRUE(std::isnan(found.error)) << name;
     }
   }
+}
+
+TEST(WhatIsExpectedOfAScene, IsWhatWasMeasuredAndWhereThatLeads) {
+  const TemporaryFolder folder;
+  const auto stored = folder.path() / "accuracy.json";
+  const Case& c = find_case("heated_slab");
+  const Scene scene = read_scene(scene_path(c.scene));
+  const auto quality = [](const char* name, double error) {
+    return nlohmann::json{{"quality", name}, {"error", error}, {"particle_steps", 2e6}, {"cpu_s", 3}};
+  };
+  const auto expected = [&](const std::vector<nlohmann::json>& qualities, const std::string& fingerprint) {
+    const nlohmann::json slab{{"scene", c.scene}, {"scene_fingerprint", fingerprint}, {"measured", "Warmth."}, {"qualities", qualities}};
+    std::ofstream(stored) << nlohmann::json{{"provenance", {{"machine", {{"cpu", "abacus"}}}}}, {"cases", nlohmann::json::array({slab})}};
+    return expected_of(scene, stored);
+  };
+  const auto draft = quality("draft", 0.04), standard = quality("standard", 0.01);
+  auto paper = quality("paper", 0.003);
+  const std::string as_is = scene_fingerprint(scene);
+  const auto two = expected({draft, standard}, as_is);
+  ASSERT_EQ(two.size(), 4u);
+  EXPECT_EQ(two[0], "draft: error 4 %, 2 million particle-steps, 3 s of one core of abacus");
+  EXPECT_NE(two[2].find("paper: not measured; error about 0.25 %"), std::string::npos) << two[2];
+  paper["particle_steps"] = 604e6;
+  EXPECT_EQ(expected({draft, standard, paper}, as_is)[2], "paper: error 0.3 %, 604 million particle-steps, 3 s of one core of abacus");
+  EXPECT_EQ(expected({draft}, as_is).size(), 2u);
+  EXPECT_NE(expected({draft}, "another").at(0).find("another version"), std::string::npos);
+  std::ofstream(stored) << "{";
+  EXPECT_THROW(expected_of(scene, stored), InputError);
+  EXPECT_TRUE(expected_of(scene, folder.path() / "none.json").empty());
 }
 
 /// The bar, which is measured in a second.
