@@ -68,6 +68,7 @@ Case barenblatt();
 Case elastic_bar();
 Case vortex();
 Case drying_cube();
+Case dough_pull();
 Case rising_ball();
 Case cookie();
 Case bread();

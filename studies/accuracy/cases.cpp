@@ -11,7 +11,7 @@ namespace bake::studies::accuracy {
 
 const std::vector<Case>& all_cases() {
   static const std::vector<Case> cases{
-      heated_slab(), cooling_sphere(), barenblatt(), elastic_bar(), vortex(), drying_cube(), rising_ball(), cookie(), bread(),
+      heated_slab(), cooling_sphere(), barenblatt(), elastic_bar(), vortex(), drying_cube(), dough_pull(), rising_ball(), cookie(), bread(),
   };
   return cases;
 }

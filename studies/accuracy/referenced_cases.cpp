@@ -66,6 +66,20 @@ Case rising_ball() {
   return c;
 }
 
+Case dough_pull() {
+  Case c;
+  // its length is the grips', and where on it the neck is thinnest goes with dx
+  c.measured = "plastic work until the end, when the right grip has let go, relative to that of a fine run";
+  c.cells_of = "the cylinder's radius of 0.08 m";
+  c.cells = {3, 4, 5};
+  c.full_cells = {6, 8};
+  c.quality = {4, 8, 16};
+  c.knobs = {"step", "kernel", "transfer", "particles", "precision"};
+  c.from = Effort::usual;
+  refer(c, {"dough_pull", "teaching/dough_pull", 0.08, 24, {{"plastic work", "dissipated"}}, {"time.safety=0.5"}});
+  return c;
+}
+
 Case cookie() {
   Case c;
   c.measured =
