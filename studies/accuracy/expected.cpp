@@ -9,6 +9,7 @@
 #include "solver/scene/input_error.h"
 #include "solver/scene/resolved.h"
 #include "solver/scene/scene.h"
+#include "studies/accuracy/result.h"
 
 namespace bake::studies::accuracy {
 
@@ -22,21 +23,16 @@ std::string name_of(const Scene& scene) {
   return file.parent_path().filename().string() + "/" + file.stem().string();
 }
 
-/// Two figures, and never an exponent for what is large: "0.034", "2.7", "604".
-std::string brief(double number) { return number < 99.5 ? fmt::format("{:.2g}", number) : fmt::format("{:.0f}", number); }
-
 std::string line_of(const json& q, const std::string& cpu) {
-  return fmt::format("{}: error {} %, {} million particle-steps, {} s of one core of {}", q.at("quality").get<std::string>(),
-                     brief(100 * q.at("error").get<double>()), brief(q.at("particle_steps").get<double>() / 1e6), brief(q.at("cpu_s")),
-                     cpu);
+  return fmt::format("{}: error {}, {} million particle-steps, {} s of one core of {}", q.at("quality").get<std::string>(),
+                     percent(q.at("error")), brief(q.at("particle_steps").get<double>() / 1e6), brief(q.at("cpu_s")), cpu);
 }
 
 /// Of paper, whose dx is half of standard's as standard's is half of draft's, if those two are all that was measured; else empty.
 std::string outlook_of(const json& qualities) {
   if (qualities.size() != 2 || qualities[0].at("quality") != "draft" || qualities[1].at("quality") != "standard") return "";
   const double draft = qualities[0].at("error"), standard = qualities[1].at("error");
-  return fmt::format("paper: not measured; error about {} % if it falls on as from draft to standard",
-                     brief(100 * standard * standard / draft));
+  return fmt::format("paper: not measured; error about {} if it falls on as from draft to standard", percent(standard * standard / draft));
 }
 
 }  // namespace

@@ -11,20 +11,18 @@ namespace bake::studies::accuracy {
 
 namespace {
 
-std::string times(double factor) { return factor < 9.95 ? fmt::format("{:.2g}", factor) : fmt::format("{:.0f}", factor); }
-
 std::string or_dash(const std::optional<double>& value) { return value ? fmt::format("{:.2f}", *value) : "-"; }
 
 std::string seconds(const Spread& s) {
-  return s.low < s.high ? fmt::format("{:.2g} ({:.2g} to {:.2g})", s.median, s.low, s.high) : fmt::format("{:.2g}", s.median);
+  return s.low < s.high ? fmt::format("{} ({} to {})", brief(s.median), brief(s.low), brief(s.high)) : brief(s.median);
 }
 
 std::string front_table(const CaseResult& result) {
   std::string text = "| | on the front | error | particle-steps | processor time [s] | wall time [s] |\n|---|---|---|---|---|---|\n";
   int number = 0;
   for (const Point* p : front(result.curves(), particle_steps))
-    text += fmt::format("| {} | {} | {} | {:.2g} | {:.2g} | {} |\n", ++number, words_of(*p), percent(p->settled), p->particle_steps,
-                        p->cpu_s.median, seconds(p->wall_s));
+    text += fmt::format("| {} | {} | {} | {:.2g} | {} | {} |\n", ++number, words_of(*p), percent(p->settled), p->particle_steps,
+                        brief(p->cpu_s.median), seconds(p->wall_s));
   return text;
 }
 
@@ -34,7 +32,7 @@ std::string goals_table(const CaseResult& result) {
     const Point *steps = cheapest(result.curves(), goal, particle_steps), *cpu = cheapest(result.curves(), goal, cpu_seconds);
     text += fmt::format("| {:g} % | {} | {} |\n", 100 * goal,
                         steps ? fmt::format("{}: {:.2g}", words_of(*steps), steps->particle_steps) : "not reached",
-                        cpu ? fmt::format("{}: {:.2g} s", words_of(*cpu), cpu->cpu_s.median) : "not reached");
+                        cpu ? fmt::format("{}: {} s", words_of(*cpu), brief(cpu->cpu_s.median)) : "not reached");
   }
   return text;
 }
@@ -51,8 +49,8 @@ std::string knobs_table(const CaseResult& result) {
       continue;
     }
     text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", curve.label, or_dash(order(curve)), p->variant.cells, percent(p->error),
-                        times(p->error / base->error), times(p->particle_steps / base->particle_steps),
-                        times(p->cpu_s.median / base->cpu_s.median));
+                        brief(p->error / base->error), brief(p->particle_steps / base->particle_steps),
+                        brief(p->cpu_s.median / base->cpu_s.median));
   }
   return text;
 }
@@ -134,7 +132,7 @@ std::string staged(const CaseResult& result) {
         "The paper's staged step, as the textbook baker takes it, has at {} cells an error of {}, that of the fused step with the same dt "
         "in double precision to {:.0e} of it, and takes {} times its processor time: an upper bound of what staging costs.",
         textbook->variant.cells, percent(textbook->error), std::max(std::abs(textbook->error / fused->error - 1), 1e-16),
-        times(textbook->cpu_s.median / fused->cpu_s.median));
+        brief(textbook->cpu_s.median / fused->cpu_s.median));
   }
   return "";
 }
@@ -151,7 +149,7 @@ std::vector<std::string> conclusions(const CaseResult& result) {
     all.push_back(
         fmt::format("With the default settings the error falls with dx to the power {} and with the particle-steps to the power "
                     "{:.2f}: half the error costs {} times the particle-steps.",
-                    or_dash(order(*base)), *p, times(cost_of_halving(*p))));
+                    or_dash(order(*base)), *p, brief(cost_of_halving(*p))));
   else
     all.push_back("With the default settings the error does not fall with dx.");
   std::vector<std::string> better, worse, failed;
@@ -162,9 +160,9 @@ std::vector<std::string> conclusions(const CaseResult& result) {
     if (!b) continue;
     const double error = b->error / a->error;
     if (error < 0.8)
-      better.push_back(fmt::format("{} ({} of the error for {} times the processor time)", curve.label, times(error),
-                                   times(b->cpu_s.median / a->cpu_s.median)));
-    if (error > 1.25) worse.push_back(fmt::format("{} ({} times)", curve.label, times(error)));
+      better.push_back(fmt::format("{} ({} of the error for {} times the processor time)", curve.label, brief(error),
+                                   brief(b->cpu_s.median / a->cpu_s.median)));
+    if (error > 1.25) worse.push_back(fmt::format("{} ({} times)", curve.label, brief(error)));
   }
   if (!better.empty()) all.push_back(fmt::format("Less error than the default at the same dx: {}.", listed(better)));
   if (!worse.empty()) all.push_back(fmt::format("More error at the same dx: {}.", listed(worse)));
@@ -173,11 +171,11 @@ std::vector<std::string> conclusions(const CaseResult& result) {
   for (const QualityResult& q : result.qualities())
     all.push_back(q.excess_particle_steps <= k_allowed_excess
                       ? fmt::format("The scene's {} is {} ({}), {} times the cheapest that is as good: within {}.", q.quality,
-                                    percent(q.point->error), words_of(*q.point), times(q.excess_particle_steps), k_allowed_excess)
+                                    percent(q.point->error), words_of(*q.point), brief(q.excess_particle_steps), k_allowed_excess)
                       : fmt::format("The scene's {} has an error of {}; {} is as good for a part of the cost: 1/{} of the particle-steps, "
                                     "1/{} of the processor time.",
-                                    q.quality, percent(q.point->error), words_of(*q.better), times(q.excess_particle_steps),
-                                    times(q.point->cpu_s.median / q.better->cpu_s.median)));
+                                    q.quality, percent(q.point->error), words_of(*q.better), brief(q.excess_particle_steps),
+                                    brief(q.point->cpu_s.median / q.better->cpu_s.median)));
   return all;
 }
 

@@ -160,7 +160,9 @@ std::string words_of(const Point& point) {
   return fmt::format("{}, {} {}", point.variant.label, cells, cells == 1 ? "cell" : "cells");
 }
 
-std::string percent(double share) { return fmt::format("{:.2g} %", 100 * share); }
+std::string brief(double number) { return number < 99.5 ? fmt::format("{:.2g}", number) : fmt::format("{:.0f}", number); }
+
+std::string percent(double share) { return brief(100 * share) + " %"; }
 
 json as_json(const CaseResult& result) {
   json curves = json::array(), best = json::array(), goals = json::array(), qualities = json::array();

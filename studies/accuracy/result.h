@@ -59,7 +59,9 @@ MachineSpeed speed_of(const std::vector<CaseResult>& results);
 
 /// "default, 20 cells".
 std::string words_of(const Point& point);
-/// "3.2 %", two digits.
+/// Two digits, and never an exponent for what is large: "0.034", "2.7", "604".
+std::string brief(double number);
+/// "3.2 %", as brief().
 std::string percent(double share);
 
 nlohmann::json as_json(const CaseResult& result);
