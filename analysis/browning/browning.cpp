@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "solver/core/errors.h"
 #include "solver/io/frames.h"
-#include "solver/scene/input_error.h"
 
 namespace bake {
 namespace {

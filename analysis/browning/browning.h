@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "solver/scene/parameter.h"
+#include "solver/core/parameter.h"
 
 namespace bake {
 

@@ -14,10 +14,10 @@
 
 #include "analysis/charts/gnuplot.h"
 #include "analysis/charts/text.h"
+#include "solver/core/errors.h"
 #include "solver/io/atomic_file.h"
 #include "solver/io/scratch_folder.h"
 #include "solver/scene/entry.h"
-#include "solver/scene/input_error.h"
 
 namespace bake::charts {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analysis/pictures/view.h"
-#include "solver/cli/program.h"
+#include "solver/program/program.h"
 
 namespace bake::render {
 

@@ -6,11 +6,11 @@
 
 #include "analysis/cli/commands.h"
 #include "analysis/pictures/picture.h"
+#include "solver/core/errors.h"
 #include "solver/io/atomic_file.h"
 #include "solver/io/child.h"
 #include "solver/io/progress.h"
 #include "solver/scene/entry.h"
-#include "solver/scene/input_error.h"
 
 namespace bake::render {
 namespace {

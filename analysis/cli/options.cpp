@@ -5,8 +5,8 @@
 #include <thread>
 
 #include "analysis/cli/commands.h"
+#include "solver/core/errors.h"
 #include "solver/scene/entry.h"
-#include "solver/scene/input_error.h"
 
 namespace bake::render {
 namespace {

@@ -4,12 +4,12 @@
 #include <memory>
 
 #include "analysis/cli/commands.h"
-#include "analysis/look/montage.h"
+#include "analysis/image/montage.h"
 #include "analysis/pictures/picture.h"
 #include "analysis/slices/slice.h"
 #include "analysis/surface/splat.h"
+#include "solver/core/errors.h"
 #include "solver/io/progress.h"
-#include "solver/scene/input_error.h"
 
 namespace bake::render {
 

@@ -10,7 +10,7 @@
 #include "analysis/pictures/shown.h"
 #include "analysis/surface/mesh_tools.h"
 #include "solver/boundary/rotation.h"
-#include "solver/scene/input_error.h"
+#include "solver/core/errors.h"
 
 namespace bake {
 namespace {

@@ -13,7 +13,7 @@
 #include <memory>
 #include <vector>
 
-#include "analysis/look/colour.h"
+#include "analysis/image/colour.h"
 
 namespace bake {
 

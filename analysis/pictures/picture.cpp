@@ -9,8 +9,8 @@
 #include <limits>
 #include <numbers>
 
+#include "solver/core/errors.h"
 #include "solver/scene/entry.h"
-#include "solver/scene/input_error.h"
 
 namespace bake {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "analysis/look/image.h"
+#include "analysis/image/image.h"
 #include "analysis/pictures/object.h"
 #include "analysis/pictures/view.h"
 

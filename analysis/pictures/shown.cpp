@@ -9,9 +9,9 @@
 #include "analysis/browning/browning.h"
 #include "analysis/surface/mesh_tools.h"
 #include "analysis/surface/splat.h"
+#include "solver/core/errors.h"
 #include "solver/io/frames.h"
 #include "solver/io/hdf5.h"
-#include "solver/scene/input_error.h"
 #include "solver/scene/nearest.h"
 
 namespace bake {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "solver/scene/input_error.h"
+#include "solver/core/errors.h"
 #include "solver/scene/json_value.h"
 #include "solver/scene/overrides.h"
 #include "solver/scene/read_value.h"

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "analysis/browning/browning.h"
-#include "analysis/look/colour.h"
-#include "solver/scene/parameter.h"
+#include "analysis/image/colour.h"
+#include "solver/core/parameter.h"
 
 namespace bake {
 

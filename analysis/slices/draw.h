@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "analysis/look/image.h"
+#include "analysis/image/image.h"
 #include "solver/io/mesh_file.h"
 
 namespace bake {

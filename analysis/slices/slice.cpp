@@ -11,8 +11,8 @@
 #include "analysis/pictures/shown.h"
 #include "analysis/slices/draw.h"
 #include "analysis/surface/mesh_tools.h"
+#include "solver/core/errors.h"
 #include "solver/scene/entry.h"
-#include "solver/scene/input_error.h"
 
 namespace bake {
 namespace {

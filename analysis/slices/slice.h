@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "analysis/look/image.h"
+#include "analysis/image/image.h"
 #include "analysis/pictures/view.h"
 
 namespace bake {

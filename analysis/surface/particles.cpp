@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solver/core/errors.h"
 #include "solver/io/frames.h"
 #include "solver/io/vtkhdf.h"
-#include "solver/scene/input_error.h"
 
 namespace bake {
 namespace {

@@ -20,7 +20,7 @@
 #include <limits>
 
 #include "analysis/surface/point_grid.h"
-#include "solver/scene/input_error.h"
+#include "solver/core/errors.h"
 
 namespace bake {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "experiments/fig15_bread/dough.h"
-#include "solver/baker/simulation.h"
 #include "solver/effects/plasticity.h"
+#include "solver/run/simulation.h"
 
 namespace bake {
 namespace {

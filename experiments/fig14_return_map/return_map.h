@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "figures/computed.h"
+#include "experiments/make/computed.h"
 
 namespace bake {
 

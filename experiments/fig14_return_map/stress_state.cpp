@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "solver/effects/elasticity.h"
-#include "solver/effects/physics.h"
+#include "solver/effects/particle_of_everything.h"
 #include "solver/effects/plasticity.h"
-#include "solver/particles/particle_of_everything.h"
+#include "solver/engine/physics.h"
 #include "solver/scene/scene.h"
 
 namespace bake {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <optional>
 
-#include "figures/published.h"
+#include "experiments/make/published.h"
+#include "solver/core/errors.h"
 #include "solver/scene/entry.h"
-#include "solver/scene/input_error.h"
 
 namespace bake {
 namespace {

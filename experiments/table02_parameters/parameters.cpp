@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
-#include "figures/published.h"
-#include "solver/scene/input_error.h"
+#include "experiments/make/published.h"
+#include "solver/core/errors.h"
 #include "solver/scene/reader.h"
 #include "solver/scene/resolved.h"
 

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "figures/computed.h"
+#include "experiments/make/computed.h"
 
 namespace bake {
 

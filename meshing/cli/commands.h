@@ -3,7 +3,7 @@
 // `action` what is to be done.
 #pragma once
 
-#include "solver/cli/program.h"
+#include "solver/program/program.h"
 
 namespace bake::cli {
 

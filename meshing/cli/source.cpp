@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "solver/cli/scene_files.h"
+#include "solver/program/scene_files.h"
 #include "solver/scene/reader.h"
 
 namespace bake::cli {

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "meshing/union_find.h"
-#include "solver/boundary/vector3.h"
+#include "solver/core/vector3.h"
 
 namespace bake {
 

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "meshing/union_find.h"
-#include "solver/boundary/vector3.h"
+#include "solver/core/vector3.h"
 
 namespace bake {
 namespace {

@@ -11,9 +11,9 @@
 #include "meshing/fracture/depth.h"
 #include "meshing/fracture/positions.h"
 #include "meshing/fracture/run_frames.h"
-#include "solver/boundary/vector3.h"
+#include "solver/core/errors.h"
+#include "solver/core/vector3.h"
 #include "solver/io/atomic_file.h"
-#include "solver/scene/input_error.h"
 
 namespace bake {
 namespace {

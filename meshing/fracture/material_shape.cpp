@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "solver/boundary/vector3.h"
+#include "solver/core/vector3.h"
 
 namespace bake {
 namespace {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "claims/results.h"
-#include "solver/boundary/vector3.h"
-#include "solver/scene/input_error.h"
+#include "analysis/claims/results.h"
+#include "solver/core/errors.h"
+#include "solver/core/vector3.h"
 #include "solver/scene/settings.h"
 
 namespace bake {

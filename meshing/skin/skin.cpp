@@ -12,7 +12,7 @@
 
 #include "meshing/tets/lattice_mesher.h"
 #include "meshing/tets/surface_foot.h"
-#include "solver/scene/input_error.h"
+#include "solver/core/errors.h"
 
 namespace bake {
 namespace {

@@ -16,8 +16,8 @@
 
 #include "meshing/solid/triangle_mesh.h"
 #include "meshing/union_find.h"
-#include "solver/boundary/vector3.h"
-#include "solver/scene/input_error.h"
+#include "solver/core/errors.h"
+#include "solver/core/vector3.h"
 
 namespace bake {
 namespace {

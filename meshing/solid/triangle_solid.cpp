@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "meshing/solid/triangle_mesh.h"
-#include "solver/boundary/vector3.h"
+#include "solver/core/vector3.h"
 
 namespace bake {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "meshing/tets/stars.h"
-#include "solver/boundary/vector3.h"
+#include "solver/core/vector3.h"
 
 namespace bake {
 namespace {

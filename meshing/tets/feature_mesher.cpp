@@ -19,7 +19,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/scene/input_error.h"
+#include "solver/core/errors.h"
 
 namespace bake {
 namespace {

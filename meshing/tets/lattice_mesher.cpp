@@ -12,8 +12,8 @@
 #include "meshing/tets/even_volumes.h"
 #include "meshing/tets/manifold.h"
 #include "meshing/tets/surface_foot.h"
-#include "solver/boundary/vector3.h"
-#include "solver/scene/input_error.h"
+#include "solver/core/errors.h"
+#include "solver/core/vector3.h"
 
 namespace bake {
 namespace {

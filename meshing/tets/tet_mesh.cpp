@@ -7,8 +7,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "solver/boundary/vector3.h"
-#include "solver/scene/input_error.h"
+#include "solver/core/errors.h"
+#include "solver/core/vector3.h"
 
 namespace bake {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "reference/textbook/baker.h"
-#include "solver/baker/engine.h"
+#include "solver/engine/engine.h"
 #include "solver/scene/scene.h"
 
 namespace bake {

@@ -6,7 +6,7 @@
 
 #include "reference/compare/recipe_of.h"
 #include "solver/effects/all_effects.h"
-#include "solver/particles/fields.h"
+#include "solver/effects/fields.h"
 
 namespace bake {
 
@@ -88,7 +88,8 @@ SideBySide::SideBySide(const Scene& scene, bool with_twin)
     : scene_(with_exact_conduction(scene)), solver_(Simulation::begin(scene_)), baker_(recipe_of(scene_)) {
   if (with_twin) twin_.emplace(recipe_of(scene_));
   for (const NewParticle& p : fill_bodies(scene_)) add(p);
-  for (std::size_t i = 0; i < scene_.emitters.size(); ++i) spouts_.push_back(std::make_unique<Spout>(scene_, scene_.emitters[i], i));
+  for (std::size_t i = 0; i < scene_.emitters.size(); ++i)
+    emitters_.push_back(std::make_unique<EmitterState>(scene_, scene_.emitters[i], i));
   pour_due();
   step_textbook(0, 0);
 }
@@ -100,9 +101,9 @@ void SideBySide::add(const NewParticle& particle) {
 }
 
 void SideBySide::pour_due() {
-  for (const auto& spout : spouts_)
-    while (spout->next_time() <= solver_->time())
-      for (const NewParticle& p : spout->pour()) add(p);
+  for (const auto& emitter : emitters_)
+    while (emitter->next_time() <= solver_->time())
+      for (const NewParticle& p : emitter->pour()) add(p);
 }
 
 void SideBySide::step_textbook(double dt, double begin) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "reference/textbook/baker.h"
-#include "solver/baker/fill_scene.h"
-#include "solver/baker/simulation.h"
+#include "solver/run/fill_scene.h"
+#include "solver/run/simulation.h"
 
 namespace bake {
 
@@ -51,7 +51,7 @@ class SideBySide {
   std::unique_ptr<Simulation> solver_;
   textbook::Baker baker_;
   std::optional<textbook::Baker> twin_;
-  std::vector<std::unique_ptr<Spout>> spouts_;
+  std::vector<std::unique_ptr<EmitterState>> emitters_;
   std::int64_t next_id_ = 0;
   double last_dt_ = k_infinity;
 };

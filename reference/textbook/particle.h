@@ -34,8 +34,8 @@ struct Particle {
 
   double V() const { return J * V_0; }
   double mass() const { return m_s + m_w; }
-  Vector Q() const { return V() * q; }                    ///< momentum of the water relative to the solid [kg m/s]
-  double warmth() const { return std::max(theta, 0.0); }  ///< below 0 C water stays where it is
+  Vector Q() const { return V() * q; }                                 ///< momentum of the water relative to the solid [kg m/s]
+  double clamped_temperature() const { return std::max(theta, 0.0); }  ///< below 0 C water stays where it is
   double div_v() const { return trace(grad_v); }
 };
 

@@ -11,7 +11,7 @@ namespace bake::textbook {
 inline void scatter_water(const Particle& p, const Material& m, const Overlap& o, Node& node) {
   node.water += o.w * p.m_w;
   node.water_room += o.w * m.rho_w * p.V();
-  node.evaporability += o.w * m.beta_w * p.warmth() * p.V();
+  node.evaporability += o.w * m.beta_w * p.clamped_temperature() * p.V();
 }
 
 /// + dt V q . grad w; as printed also - dt w m_w div v   [Ding19 Eq. 25]
@@ -60,7 +60,7 @@ struct SeenWater {
 /// DEPARTS [Ding19 Eq. 20]: the volume is that of the new time.
 inline void take_water(const SeenWater& seen, const Material& m, Particle& p) {
   p.m_w *= 1 + seen.ratio;
-  p.q = (-m.K * p.warmth() * p.m_w / p.V()) * seen.grad_s;
+  p.q = (-m.K * p.clamped_temperature() * p.m_w / p.V()) * seen.grad_s;
 }
 
 /// J p_water = J c_hat (s - s_0)   [Ding19 Eq. 14]

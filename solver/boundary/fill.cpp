@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "solver/boundary/vector3.h"
+#include "solver/core/vector3.h"
 
 namespace bake {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "solver/boundary/shape.h"
-#include "solver/boundary/vector3.h"
+#include "solver/core/vector3.h"
 
 namespace bake {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "solver/scene/parameter.h"
+#include "solver/core/parameter.h"
 
 namespace bake {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "solver/boundary/vector3.h"
+#include "solver/core/vector3.h"
 
 namespace bake {
 namespace {

@@ -2,10 +2,10 @@
 // Elasticity: Hencky's logarithmic strain and a quadratic energy in it. [Ding19 Sec. 5.2]
 #pragma once
 
+#include "solver/core/parameter.h"
 #include "solver/core/symmetric.h"
+#include "solver/effects/fields.h"
 #include "solver/effects/totals.h"
-#include "solver/particles/fields.h"
-#include "solver/scene/parameter.h"
 
 namespace bake {
 
@@ -28,8 +28,8 @@ struct Elasticity {
     }
   };
 
-  using Columns = FieldList<field::ElasticStrain>;
-  using Carried = FieldList<field::HenckyStrain>;
+  using Stored = FieldList<field::ElasticStrain>;
+  using Transient = FieldList<field::HenckyStrain>;
   using Moments = FieldList<>;
   using Values = FieldList<>;
   using Gathered = FieldList<>;
@@ -37,9 +37,9 @@ struct Elasticity {
   template <class Real>
   struct Constants {
     Real lambda, mu, bulk;  ///< Lame's constants and the bulk modulus [Pa]
-    template <class Scene, class Substance>
-    Constants(const Scene&, const Substance& substance) {
-      const auto& m = substance.effects.template get<Material>();
+    template <class Scene, class SceneMaterial>
+    Constants(const Scene&, const SceneMaterial& material) {
+      const auto& m = material.effects.template get<Material>();
       const double E = m.young_modulus_Pa, nu = m.poisson_ratio;
       lambda = static_cast<Real>(E * nu / ((1 + nu) * (1 - 2 * nu)));
       mu = static_cast<Real>(E / (2 * (1 + nu)));

@@ -9,8 +9,8 @@ namespace bake {
 /// Added to a model when [motion] transfer = "flip"; the blend itself is in Motion::gather.
 struct FlipMemory {
   static constexpr const char* name = "flip memory";
-  using Columns = FieldList<field::Velocity>;
-  using Carried = FieldList<>;
+  using Stored = FieldList<field::Velocity>;
+  using Transient = FieldList<>;
   using Moments = FieldList<>;
   using Values = FieldList<channel::OldMomentum>;
   using Gathered = FieldList<channel::OldNodeVelocity>;
@@ -18,8 +18,8 @@ struct FlipMemory {
   template <class Real>
   struct Constants {
     Real inertia;
-    template <class Scene, class Substance>
-    Constants(const Scene& scene, const Substance&)
+    template <class Scene, class SceneMaterial>
+    Constants(const Scene& scene, const SceneMaterial&)
         : inertia(static_cast<Real>(scene.settings.template get<Motion::Settings>().inertia_scale)) {}
   };
 

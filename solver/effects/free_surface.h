@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The volume at the nodes, from which the free surface is measured (solver/grid/surface.h). Part of every model with heat
+// The volume at the nodes, from which the free surface is measured (solver/engine/surface.h). Part of every model with heat
 // or water.
 #pragma once
 
 #include "solver/core/lanes.h"
-#include "solver/particles/fields.h"
+#include "solver/effects/fields.h"
 
 namespace bake {
 
 struct FreeSurface {
   static constexpr const char* name = "free surface";
-  using Columns = FieldList<>;
-  using Carried = FieldList<>;
+  using Stored = FieldList<>;
+  using Transient = FieldList<>;
   using Moments = FieldList<>;
   using Values = FieldList<channel::Volume>;
   using Gathered = FieldList<>;
 
   template <class Real>
   struct Constants {
-    template <class Scene, class Substance>
-    Constants(const Scene&, const Substance&) {}
+    template <class Scene, class SceneMaterial>
+    Constants(const Scene&, const SceneMaterial&) {}
   };
 
   /// V_i = sum w V   [Ding19 Eq. 18]

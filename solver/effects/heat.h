@@ -2,11 +2,11 @@
 // Heat: conduction, exchange with oven and hot colliders, thermal expansion. [Ding19 Sec. 4, 6.3]
 #pragma once
 
+#include "solver/core/parameter.h"
 #include "solver/effects/elasticity.h"
-#include "solver/effects/parameters.h"
+#include "solver/effects/fields.h"
+#include "solver/effects/form.h"
 #include "solver/effects/totals.h"
-#include "solver/particles/fields.h"
-#include "solver/scene/parameter.h"
 
 namespace bake {
 
@@ -55,8 +55,8 @@ struct Heat {
     }
   };
 
-  using Columns = FieldList<field::Temperature, field::PeakTemperature>;
-  using Carried = FieldList<field::TemperatureGradient>;
+  using Stored = FieldList<field::Temperature, field::PeakTemperature>;
+  using Transient = FieldList<field::TemperatureGradient>;
   using Moments = FieldList<channel::HeatChange>;
   using Values = FieldList<channel::HeatCapacity, channel::HeatContent>;
   using Gathered = FieldList<channel::TemperatureChange, channel::NodeTemperature>;
@@ -65,16 +65,16 @@ struct Heat {
   struct Constants {
     Real solid, water, kappa, beta_T, theta_0;
     bool implicit, published_expansion;
-    template <class Scene, class Substance>
-    Constants(const Scene& scene, const Substance& substance) : theta_0(static_cast<Real>(substance.initial_temperature_C)) {
-      const auto& m = substance.effects.template get<Material>();
+    template <class Scene, class SceneMaterial>
+    Constants(const Scene& scene, const SceneMaterial& material) : theta_0(static_cast<Real>(material.initial_temperature_C)) {
+      const auto& m = material.effects.template get<Material>();
       solid = static_cast<Real>(m.specific_heat_J_per_kgK);
       kappa = static_cast<Real>(m.conductivity_W_per_mK);
       const auto& settings = scene.settings.template get<Settings>();
       water = static_cast<Real>(settings.water_specific_heat_J_per_kgK);
       implicit = settings.integrator == Integrator::backward_euler;
       published_expansion = settings.expansion_form == Form::published;
-      const Elasticity::Constants<Real> elastic(scene, substance);
+      const Elasticity::Constants<Real> elastic(scene, material);
       // beta_T = 3 K alpha_l. Published: c lambda, with c = 3 alpha_l K / lambda so that both mean the same expansion.
       beta_T = scene.lists("elasticity") ? static_cast<Real>(3 * elastic.bulk * m.expansion_per_K) : Real(0);
     }

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "solver/effects/parameters.h"
+#include "solver/core/parameter.h"
+#include "solver/effects/fields.h"
+#include "solver/effects/form.h"
 #include "solver/effects/plasticity.h"
 #include "solver/effects/totals.h"
-#include "solver/particles/fields.h"
-#include "solver/scene/parameter.h"
 
 namespace bake {
 
@@ -57,8 +57,8 @@ struct Leavening {
 
   static constexpr double k_gas_constant = 8.314;  ///< R [J/(mol K)]
 
-  using Columns = FieldList<field::ProducedGas, field::Leavener>;
-  using Carried = FieldList<>;
+  using Stored = FieldList<field::ProducedGas, field::Leavener>;
+  using Transient = FieldList<>;
   using Moments = FieldList<>;
   using Values = FieldList<>;
   using Gathered = FieldList<>;
@@ -68,22 +68,22 @@ struct Leavening {
     Real peak_rate, theta_r, inverse_width, total, n_0, nu_0, p_ref, scale;
     Real least, most;  ///< between which the pore fraction is held; n_0 lies between them, so that fresh dough is free of stress
     bool finite, published, published_porosity, open;
-    template <class Scene, class Substance>
-    Constants(const Scene& scene, const Substance& substance) {
-      const auto& m = substance.effects.template get<Material>();
+    template <class Scene, class SceneMaterial>
+    Constants(const Scene& scene, const SceneMaterial& material) {
+      const auto& m = material.effects.template get<Material>();
       const auto& settings = scene.settings.template get<Settings>();
-      peak_rate = static_cast<Real>(m.production_mol_per_kgs * substance.density_kg_per_m3);
+      peak_rate = static_cast<Real>(m.production_mol_per_kgs * material.density_kg_per_m3);
       theta_r = static_cast<Real>(m.peak_temperature_C);
       inverse_width = static_cast<Real>(1 / m.temperature_width_K);
       finite = m.leavener_mol_per_m3 < k_infinity;
       total = finite ? static_cast<Real>(m.leavener_mol_per_m3) : Real(1);
-      n_0 = static_cast<Real>(substance.initial_porosity);
+      n_0 = static_cast<Real>(material.initial_porosity);
       least = std::min(Real(0.02), n_0 / 2);
       most = std::max(Real(0.97), n_0);
       p_ref = static_cast<Real>(settings.reference_pressure_Pa);
       scale = static_cast<Real>(settings.reference_pressure_Pa / 101325);
-      nu_0 = static_cast<Real>(settings.reference_pressure_Pa * substance.initial_porosity /
-                               (k_gas_constant * (substance.initial_temperature_C + 273.15)));
+      nu_0 = static_cast<Real>(settings.reference_pressure_Pa * material.initial_porosity /
+                               (k_gas_constant * (material.initial_temperature_C + 273.15)));
       published = settings.form == Form::published;
       open = settings.pores == Pores::open;
       published_porosity = scene.settings.template get<Plasticity::Settings>().porosity_form == Form::published;

@@ -2,10 +2,10 @@
 // Motion: momentum, the affine velocity field and the volume it carries along.
 #pragma once
 
+#include "solver/core/parameter.h"
 #include "solver/core/symmetric.h"
+#include "solver/effects/fields.h"
 #include "solver/effects/totals.h"
-#include "solver/particles/fields.h"
-#include "solver/scene/parameter.h"
 
 namespace bake {
 
@@ -35,8 +35,8 @@ struct Motion {
     static constexpr auto parameters() { return std::tuple{}; }
   };
 
-  using Columns = FieldList<field::VolumeRatio>;
-  using Carried = FieldList<field::Velocity, field::AffineVelocity, field::KirchhoffStress>;
+  using Stored = FieldList<field::VolumeRatio>;
+  using Transient = FieldList<field::Velocity, field::AffineVelocity, field::KirchhoffStress>;
   using Moments = FieldList<channel::Momentum>;
   using Values = FieldList<channel::Mass>;
   using Gathered = FieldList<channel::NodeVelocity>;
@@ -44,8 +44,8 @@ struct Motion {
   template <class Real>
   struct Constants {
     Real affine, flip, inertia;
-    template <class Scene, class Substance>
-    Constants(const Scene& scene, const Substance&) {
+    template <class Scene, class SceneMaterial>
+    Constants(const Scene& scene, const SceneMaterial&) {
       const auto& settings = scene.settings.template get<Settings>();
       affine = settings.transfer == Transfer::apic;
       flip = settings.transfer == Transfer::flip ? static_cast<Real>(settings.flip_blend) : Real(0);

@@ -9,8 +9,8 @@ namespace bake {
 /// Part of every model with motion and water.
 struct MovingWater {
   static constexpr const char* name = "moving water";
-  using Columns = FieldList<field::ScatteredWaterMomentum>;
-  using Carried = FieldList<field::WaterMomentum>;
+  using Stored = FieldList<field::ScatteredWaterMomentum>;
+  using Transient = FieldList<field::WaterMomentum>;
   using Moments = FieldList<>;
   using Values = FieldList<>;
   using Gathered = FieldList<>;
@@ -19,8 +19,8 @@ struct MovingWater {
   struct Constants {
     Real heat, inertia;
     bool published;
-    template <class Scene, class Substance>
-    Constants(const Scene& scene, const Substance&) {
+    template <class Scene, class SceneMaterial>
+    Constants(const Scene& scene, const SceneMaterial&) {
       heat = static_cast<Real>(scene.settings.template get<Heat::Settings>().water_specific_heat_J_per_kgK);
       inertia = static_cast<Real>(scene.settings.template get<Motion::Settings>().inertia_scale);
       published = scene.settings.template get<Water::Settings>().form == Form::published;

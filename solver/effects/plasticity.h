@@ -4,12 +4,12 @@
 
 #include <utility>
 
+#include "solver/core/parameter.h"
 #include "solver/core/symmetric.h"
 #include "solver/effects/elasticity.h"
-#include "solver/effects/parameters.h"
+#include "solver/effects/fields.h"
+#include "solver/effects/form.h"
 #include "solver/effects/totals.h"
-#include "solver/particles/fields.h"
-#include "solver/scene/parameter.h"
 
 namespace bake {
 
@@ -49,8 +49,8 @@ struct Plasticity {
     }
   };
 
-  using Columns = FieldList<field::PlasticVolumeRatio>;
-  using Carried = FieldList<>;
+  using Stored = FieldList<field::PlasticVolumeRatio>;
+  using Transient = FieldList<>;
   using Moments = FieldList<>;
   using Values = FieldList<>;
   using Gathered = FieldList<>;
@@ -61,12 +61,12 @@ struct Plasticity {
     Real theta[4], tau_y[4], eta[4];
     Real tau_y_slope[3], eta_slope[3];  ///< of the three pieces of fig. 8
     bool quadratic, published_porosity;
-    template <class Scene, class Substance>
-    Constants(const Scene& scene, const Substance& substance) : n_0(static_cast<Real>(substance.initial_porosity)) {
-      const Elasticity::Constants<Real> elastic(scene, substance);
+    template <class Scene, class SceneMaterial>
+    Constants(const Scene& scene, const SceneMaterial& material) : n_0(static_cast<Real>(material.initial_porosity)) {
+      const Elasticity::Constants<Real> elastic(scene, material);
       bulk = elastic.bulk;
       mu = elastic.mu;
-      const auto& m = substance.effects.template get<Material>();
+      const auto& m = material.effects.template get<Material>();
       for (int i = 0; i < 4; ++i) {
         theta[i] = static_cast<Real>(m.temperatures_C[i]);
         tau_y[i] = static_cast<Real>(m.yield_stress_Pa[i]);

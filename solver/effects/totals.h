@@ -32,14 +32,14 @@ enum class Entry {
   count
 };
 inline constexpr int k_entries = static_cast<int>(Entry::count);
-using Bookings = std::array<double, k_entries>;
+using Budget = std::array<double, k_entries>;
 
-inline void add_to(Bookings& sum, const Bookings& part) {
+inline void add_to(Budget& sum, const Budget& part) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += part[i];
 }
 
 template <class V>
-BAKE_INLINE void book(Bookings& booked, Entry entry, V amount) {
+BAKE_INLINE void book(Budget& booked, Entry entry, V amount) {
   booked[static_cast<int>(entry)] += sum_lanes(amount);
 }
 

@@ -2,12 +2,12 @@
 // Water: Fick diffusion relative to the solid, evaporation, water stress. [Ding19 Sec. 3.2, 5.5, 6.2]
 #pragma once
 
+#include "solver/core/parameter.h"
+#include "solver/effects/fields.h"
+#include "solver/effects/form.h"
 #include "solver/effects/heat.h"
 #include "solver/effects/motion.h"
-#include "solver/effects/parameters.h"
 #include "solver/effects/totals.h"
-#include "solver/particles/fields.h"
-#include "solver/scene/parameter.h"
 
 namespace bake {
 
@@ -46,8 +46,8 @@ struct Water {
     }
   };
 
-  using Columns = FieldList<field::WaterMass>;
-  using Carried = FieldList<field::WaterFlux>;
+  using Stored = FieldList<field::WaterMass>;
+  using Transient = FieldList<field::WaterFlux>;
   using Moments = FieldList<channel::WaterChange>;
   using Values = FieldList<channel::WaterMass, channel::WaterCapacity, channel::Evaporability>;
   using Gathered = FieldList<channel::WaterRatio, channel::Saturation>;
@@ -55,9 +55,9 @@ struct Water {
   template <class Real>
   struct Constants {
     Real rho_w, K, beta_w, c_hat, s_0, heat, inertia;
-    template <class Scene, class Substance>
-    Constants(const Scene& scene, const Substance& substance) : s_0(static_cast<Real>(substance.initial_saturation)) {
-      const auto& m = substance.effects.template get<Material>();
+    template <class Scene, class SceneMaterial>
+    Constants(const Scene& scene, const SceneMaterial& material) : s_0(static_cast<Real>(material.initial_saturation)) {
+      const auto& m = material.effects.template get<Material>();
       rho_w = static_cast<Real>(m.water_density_kg_per_m3);
       K = static_cast<Real>(m.diffusivity_m2_per_sK);
       beta_w = static_cast<Real>(m.evaporation_kg_per_m2sK);
@@ -70,7 +70,7 @@ struct Water {
   /// Water does not move below 0 C.
   /// DEPARTS [Ding19 Sec. 3.2]: printed with theta alone, which turns diffusion backwards in the freezer.
   template <class P>
-  BAKE_INLINE static auto warmth(P& p) {
+  BAKE_INLINE static auto clamped_temperature(P& p) {
     return max(p.temperature(), 0 * p[field::m_w]);
   }
 
@@ -86,7 +86,7 @@ struct Water {
     if constexpr (P::template has<field::Velocity>)
       for (int d = 0; d < 3; ++d)
         report.book(static_cast<Entry>(static_cast<int>(Entry::remapped_x) + d), k.inertia * gained * p[field::v][d]);
-    const auto flux = (-k.K) * warmth(p) * p[field::m_w] / p.volume();
+    const auto flux = (-k.K) * clamped_temperature(p) * p[field::m_w] / p.volume();
     for (int d = 0; d < 3; ++d) p[field::q][d] = flux * from.gradient(channel::saturation, 0, d);
   }
 
@@ -106,13 +106,13 @@ struct Water {
     const auto moment = (step.dt_next * step.inverse_d) * p.volume();
     to.value(channel::water_mass) += p[field::m_w];
     to.value(channel::water_capacity) += k.rho_w * p.volume();
-    to.value(channel::evaporability) += k.beta_w * warmth(p) * p.volume();
+    to.value(channel::evaporability) += k.beta_w * clamped_temperature(p) * p.volume();
     for (int j = 0; j < 3; ++j) to.moment(channel::water_change, 0, j) += moment * p[field::q][j];
   }
 
   template <class P, class K, class S, class R>
   BAKE_INLINE static void limits(P& p, const K& k, const S&, R& report) {
-    report.extremes.water = max(report.extremes.water, k.K * warmth(p) * p[field::m_w] / (k.rho_w * p.volume()));
+    report.extremes.water = max(report.extremes.water, k.K * clamped_temperature(p) * p[field::m_w] / (k.rho_w * p.volume()));
   }
 
   /// m_i += flux - evaporation, never below zero.

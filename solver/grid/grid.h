@@ -11,9 +11,8 @@
 #include <vector>
 
 #include "solver/boundary/shape.h"
-#include "solver/boundary/vector3.h"
-#include "solver/particles/store.h"
-#include "solver/scene/settings.h"
+#include "solver/core/vector3.h"
+#include "solver/grid/particle_store.h"
 
 namespace bake {
 
@@ -39,13 +38,14 @@ inline Point node_position(const Point& origin, double dx, int node) {
 }
 
 /// Where blocks and nodes are in space.
-class Lattice {
+class GridGeometry {
  public:
-  /// The domain's lower corner is a node, eight nodes in from the lattice's first: a stencil at a face stays inside.
-  Lattice(const DomainSettings& domain, double dx) : dx_(dx) {
+  /// `low`, `high`: corners of the domain [m]. The lower one is a node, eight nodes in from the grid's first: a stencil at a face stays
+  /// inside.
+  GridGeometry(const Point& low, const Point& high, double dx) : dx_(dx) {
     for (int d = 0; d < 3; ++d) {
-      origin_[d] = domain.min_m[d] - k_margin * dx;
-      cells_[d] = std::max(1, static_cast<int>(std::ceil((domain.max_m[d] - domain.min_m[d]) / dx - 1e-6)));
+      origin_[d] = low[d] - k_margin * dx;
+      cells_[d] = std::max(1, static_cast<int>(std::ceil((high[d] - low[d]) / dx - 1e-6)));
       blocks_[d] = (cells_[d] + 2 * k_margin) / 4 + 2;
     }
   }
@@ -61,9 +61,9 @@ class Lattice {
   }
   /// First node of a block [m].
   Point origin(const BlockIndex& b) const { return {origin_[0] + 4 * b.x * dx_, origin_[1] + 4 * b.y * dx_, origin_[2] + 4 * b.z * dx_}; }
-  /// Position in node distances from the lattice's first node.
+  /// Position in node distances from the grid's first node.
   double in_nodes(double x, int axis) const { return (x - origin_[axis]) / dx_; }
-  /// The domain's faces, in node distances from the lattice's first node.
+  /// The domain's faces, in node distances from the grid's first node.
   double low_face() const { return k_margin; }
   double high_face(int axis) const { return k_margin + cells_[axis]; }
 
@@ -83,17 +83,17 @@ struct ActiveBlocks {
 
   /// Makes the 27 blocks around every home block, and those that dough is mirrored into at a face of the domain, in order of first
   /// use; writes the neighbour tables.
-  void surround(std::vector<HomeBlock>& homes, const Lattice& lattice) {
-    if (slot_of.size() != lattice.block_count()) slot_of.assign(lattice.block_count(), -1);
-    for (const BlockIndex& b : at) slot_of[lattice.linear(b)] = -1;
+  void surround(std::vector<HomeBlock>& homes, const GridGeometry& geometry) {
+    if (slot_of.size() != geometry.block_count()) slot_of.assign(geometry.block_count(), -1);
+    for (const BlockIndex& b : at) slot_of[geometry.linear(b)] = -1;
     at.clear();
     for (HomeBlock& home : homes) {
-      for (int i = 0; i < 27; ++i) home.neighbour[i] = make(neighbour(home.at, i), lattice);
-      make_mirrored(home.at, lattice);
+      for (int i = 0; i < 27; ++i) home.neighbour[i] = make(neighbour(home.at, i), geometry);
+      make_mirrored(home.at, geometry);
     }
     around.resize(at.size());
     for (std::size_t s = 0; s < at.size(); ++s)
-      for (int i = 0; i < 27; ++i) around[s][static_cast<std::size_t>(i)] = slot_at(neighbour(at[s], i), lattice);
+      for (int i = 0; i < 27; ++i) around[s][static_cast<std::size_t>(i)] = slot_at(neighbour(at[s], i), geometry);
   }
   /// Finds out which blocks the homes' particles scattered to.
   void find_touched(const std::vector<HomeBlock>& homes) {
@@ -107,28 +107,28 @@ struct ActiveBlocks {
     }
   }
   /// Slot of a block, or -1.
-  std::int32_t slot_at(const BlockIndex& b, const Lattice& lattice) const {
-    if (b.x < 0 || b.y < 0 || b.z < 0 || b.x >= lattice.blocks(0) || b.y >= lattice.blocks(1) || b.z >= lattice.blocks(2)) return -1;
-    return slot_of[lattice.linear(b)];
+  std::int32_t slot_at(const BlockIndex& b, const GridGeometry& geometry) const {
+    if (b.x < 0 || b.y < 0 || b.z < 0 || b.x >= geometry.blocks(0) || b.y >= geometry.blocks(1) || b.z >= geometry.blocks(2)) return -1;
+    return slot_of[geometry.linear(b)];
   }
 
  private:
-  std::int32_t make(const BlockIndex& b, const Lattice& lattice) {
-    std::int32_t& slot = slot_of[lattice.linear(b)];
+  std::int32_t make(const BlockIndex& b, const GridGeometry& geometry) {
+    std::int32_t& slot = slot_of[geometry.linear(b)];
     if (slot < 0) {
       slot = static_cast<std::int32_t>(at.size());
       at.push_back(b);
     }
     return slot;
   }
-  /// A home's particles reach its nodes -1 to 6; the images of those, up to k_mirrored nodes beyond a face (solver/grid/surface.cpp), may
+  /// A home's particles reach its nodes -1 to 6; the images of those, up to k_mirrored nodes beyond a face (solver/engine/surface.cpp), may
   /// lie further than one block away.
-  void make_mirrored(const BlockIndex& home, const Lattice& lattice) {
+  void make_mirrored(const BlockIndex& home, const GridGeometry& geometry) {
     const int first[3] = {4 * home.x, 4 * home.y, 4 * home.z};
     int low[3] = {-1, -1, -1}, high[3] = {1, 1, 1};
     bool more = false;
     for (int d = 0; d < 3; ++d) {
-      const int low_face = static_cast<int>(lattice.low_face()) - first[d], high_face = static_cast<int>(lattice.high_face(d)) - first[d];
+      const int low_face = static_cast<int>(geometry.low_face()) - first[d], high_face = static_cast<int>(geometry.high_face(d)) - first[d];
       if (low_face + k_mirrored >= -1) low[d] = std::min(-1, (low_face - k_mirrored) >> 2);
       if (high_face - k_mirrored <= 6) high[d] = std::max(1, (high_face + k_mirrored) >> 2);
       more |= low[d] < -1 || high[d] > 1;
@@ -136,7 +136,7 @@ struct ActiveBlocks {
     if (!more) return;
     for (int x = low[0]; x <= high[0]; ++x)
       for (int y = low[1]; y <= high[1]; ++y)
-        for (int z = low[2]; z <= high[2]; ++z) make({home.x + x, home.y + y, home.z + z}, lattice);
+        for (int z = low[2]; z <= high[2]; ++z) make({home.x + x, home.y + y, home.z + z}, geometry);
   }
   static BlockIndex neighbour(const BlockIndex& b, int i) { return {b.x + i / 9 - 1, b.y + i / 3 % 3 - 1, b.z + i % 3 - 1}; }
 };

@@ -8,8 +8,8 @@
 // positions and strains.
 #pragma once
 
+#include "solver/core/kernel_order.h"
 #include "solver/core/lanes.h"
-#include "solver/scene/settings.h"
 
 namespace bake {
 

@@ -6,16 +6,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
-#include <stdexcept>
 #include <string_view>
 
-namespace bake {
+#include "solver/core/errors.h"
 
-/// A file could not be written. `what()` is one line: file: what failed: the system's reason.
-class OutputError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+namespace bake {
 
 /// A file being written beside `target`; commit() puts it in the place of `target`, any other end removes it.
 /// The first failing write is remembered and thrown later, by check() or commit(): the HDF5 driver on top must not see it.

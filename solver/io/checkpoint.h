@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/core/errors.h"
 #include "solver/io/hdf5.h"
-#include "solver/scene/input_error.h"
 #include "solver/scene/settings.h"
 
 namespace bake {

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "solver/core/errors.h"
 #include "solver/io/vtkhdf.h"
-#include "solver/scene/input_error.h"
 
 namespace bake {
 namespace {

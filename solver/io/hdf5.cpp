@@ -14,8 +14,8 @@
 #include <numeric>
 #include <system_error>
 
+#include "solver/core/errors.h"
 #include "solver/io/hdf5_driver.h"
-#include "solver/scene/input_error.h"
 
 namespace bake {
 namespace {

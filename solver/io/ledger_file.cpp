@@ -14,8 +14,8 @@
 #include <system_error>
 #include <utility>
 
+#include "solver/core/errors.h"
 #include "solver/io/atomic_file.h"
-#include "solver/scene/input_error.h"
 
 namespace bake {
 namespace {

@@ -7,8 +7,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "solver/core/errors.h"
 #include "solver/io/vtkhdf.h"
-#include "solver/scene/input_error.h"
 
 namespace bake {
 namespace {

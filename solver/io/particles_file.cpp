@@ -8,8 +8,8 @@
 #include <limits>
 #include <string>
 
+#include "solver/core/errors.h"
 #include "solver/io/hdf5.h"
-#include "solver/scene/input_error.h"
 
 namespace bake {
 namespace {

@@ -6,7 +6,7 @@ set(BAKE_SOURCES "unknown")
 
 # What decides the numbers of a run: one hash of the solver's own files, whatever git knows of them.
 file(GLOB_RECURSE files RELATIVE ${SOURCES}/solver ${SOURCES}/solver/*)
-list(FILTER files EXCLUDE REGEX "^cli/")
+list(FILTER files EXCLUDE REGEX "^program/")
 list(SORT files)
 foreach(file ${files})
   file(SHA256 ${SOURCES}/solver/${file} hash)
@@ -29,7 +29,7 @@ if(GIT)
   git(prefix rev-parse --show-prefix)
   if(prefix STREQUAL "")  # else unpacked inside some other repository: its commit says nothing of these sources
     git(BAKE_COMMIT rev-parse HEAD)
-    git(changes status --porcelain -- solver claims studies figures report analysis reference CMakeLists.txt)
+    git(changes status --porcelain -- solver analysis experiments reference meshing cli CMakeLists.txt)
     if(changes STREQUAL "")
       set(BAKE_SOURCES "clean")
     elseif(NOT changes STREQUAL "unknown")

@@ -14,7 +14,7 @@
 
 #include "solver/boundary/motion_path.h"
 #include "solver/boundary/shape.h"
-#include "solver/scene/parameter.h"
+#include "solver/core/parameter.h"
 
 namespace bake {
 

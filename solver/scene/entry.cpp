@@ -8,7 +8,7 @@
 #include <iterator>
 #include <system_error>
 
-#include "solver/scene/input_error.h"
+#include "solver/core/errors.h"
 #include "solver/scene/nearest.h"
 
 namespace bake {

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "solver/core/errors.h"
 #include "solver/scene/catalogue.h"
 #include "solver/scene/entry.h"
-#include "solver/scene/input_error.h"
 #include "solver/scene/nearest.h"
 
 namespace bake {

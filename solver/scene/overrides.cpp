@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/core/errors.h"
 #include "solver/scene/entry.h"
-#include "solver/scene/input_error.h"
 
 namespace bake {
 namespace {

@@ -10,9 +10,9 @@
 
 #include "solver/boundary/motion_path.h"
 #include "solver/boundary/shape.h"
-#include "solver/scene/by_type.h"
-#include "solver/scene/input_error.h"
-#include "solver/scene/parameter.h"
+#include "solver/core/by_type.h"
+#include "solver/core/errors.h"
+#include "solver/core/parameter.h"
 #include "solver/scene/settings.h"
 
 namespace bake {

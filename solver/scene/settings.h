@@ -5,8 +5,9 @@
 #include <array>
 #include <tuple>
 
-#include "solver/effects/parameters.h"
-#include "solver/scene/parameter.h"
+#include "solver/core/kernel_order.h"
+#include "solver/core/parameter.h"
+#include "solver/effects/form.h"
 
 namespace bake {
 
@@ -17,9 +18,6 @@ constexpr double coarsening(Quality quality) { return quality == Quality::draft 
 
 enum class Precision { single_precision, double_precision };
 constexpr auto choice_names(Precision) { return std::array{"single", "double"}; }
-
-enum class KernelOrder { quadratic, cubic };
-constexpr auto choice_names(KernelOrder) { return std::array{"quadratic", "cubic"}; }
 
 /// [run]
 struct RunSettings {

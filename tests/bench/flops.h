@@ -18,8 +18,8 @@
 // its gathered row is written by the update and read by the gather. What a block's neighbours read again is taken to come from the caches.
 #pragma once
 
-#include "solver/effects/physics.h"
-#include "solver/grid/block_kernel.h"
+#include "solver/engine/block_kernel.h"
+#include "solver/engine/physics.h"
 #include "solver/scene/scene.h"
 
 namespace bake::bench {

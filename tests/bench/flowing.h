@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solver/baker/simulation.h"
+#include "solver/run/simulation.h"
 
 namespace bake::bench {
 

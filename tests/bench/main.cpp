@@ -9,9 +9,9 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "analysis/machines/limits.h"
 #include "solver/core/lanes.h"
 #include "solver/io/provenance.h"
-#include "studies/machines/limits.h"
 #include "tests/bench/steps.h"
 #include "tests/bench/summary.h"
 

@@ -24,7 +24,7 @@ git -C "$root" ls-files -z | tar -C "$root" --null -T - -c | tar -C "$without" -
 source "$root/tests/unit/engine/take_out.sh"
 take_out "$effect" "$without" || die 2 "nothing could be taken out of $effect.h"
 type=$(sed -E 's/(^|_)(.)/\U\2/g' <<<"$effect")
-sed -i -E "/^ +Composition</ s/(, $type\b|\b$type, )//" "$without/solver/effects/model_list.h"
+sed -i -E "/^ +Composition</ s/(, $type\b|\b$type, )//" "$without/solver/engine/model_list.h"
 
 for tree in "$root" "$without"; do (cd "$tree" && ./bake bench --benchmark_list_tests >/dev/null) || die 3 "building failed"; done
 

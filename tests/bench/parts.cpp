@@ -5,12 +5,12 @@
 
 #include <random>
 
-#include "solver/baker/engine.h"
-#include "solver/baker/fill_scene.h"
+#include "analysis/machines/scenes.h"
 #include "solver/core/symmetric.h"
 #include "solver/effects/plasticity.h"
-#include "solver/particles/order.h"
-#include "studies/machines/scenes.h"
+#include "solver/engine/engine.h"
+#include "solver/grid/sort_particles.h"
+#include "solver/run/fill_scene.h"
 #include "tests/bench/flops.h"
 #include "tests/bench/steps.h"
 #include "tests/bench/stopwatch.h"
@@ -37,9 +37,9 @@ void order_500K(benchmark::State& state, int threads, double triad_GB_per_s) {
   ParticleStore<Real> to;
   to.columns = engine.store().columns;
   omp_set_num_threads(threads);
-  order_particles<Real>(engine.store(), nullptr, engine.lattice(), nullptr, to);  // takes the memory
+  sort_particles<Real>(engine.store(), nullptr, engine.geometry(), nullptr, to);  // takes the memory
   const Stopwatch watch;
-  for ([[maybe_unused]] auto once : state) order_particles<Real>(engine.store(), nullptr, engine.lattice(), nullptr, to);
+  for ([[maybe_unused]] auto once : state) sort_particles<Real>(engine.store(), nullptr, engine.geometry(), nullptr, to);
   count_particles(state, watch, static_cast<double>(engine.particles()));
   state.counters["bytes"] = 2. * sizeof(Real) * to.columns;  // columns are read and written
   state.counters["triad"] = 1e-3 * state.counters["bytes"] * state.counters["M/s"] / triad_GB_per_s;

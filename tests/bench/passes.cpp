@@ -11,10 +11,10 @@
 
 #include <algorithm>
 
-#include "solver/baker/engine.h"
-#include "solver/baker/fill_scene.h"
-#include "solver/particles/order.h"
-#include "studies/machines/scenes.h"
+#include "analysis/machines/scenes.h"
+#include "solver/engine/engine.h"
+#include "solver/grid/sort_particles.h"
+#include "solver/run/fill_scene.h"
 #include "tests/bench/flops.h"
 #include "tests/bench/steps.h"
 #include "tests/bench/stopwatch.h"
@@ -40,7 +40,7 @@ class Still final : public Physics<Real> {
     benchmark::DoNotOptimize(scattered);
   }
   void start(V*, int, const V*, const V*, V*, int, const Step<Real>&, Report<Real>&) const override {}
-  void update_nodes(const V*, V*, NodeSums<Real>&, const Surroundings<Real>&, const Step<Real>&, Bookings&) const override {}
+  void update_nodes(const V*, V*, NodeSums<Real>&, const Surroundings<Real>&, const Step<Real>&, Budget&) const override {}
   V conductance(const V*, int) const override { return V{}; }
   void fill(V*, int, int, double, const Body&) const override {}
 };
@@ -55,16 +55,16 @@ class Passes {
         still_(*physics_),
         kernel_(make_block_kernel<Real>(scene_.grid.kernel, *physics_)),
         engine_(scene_),
-        contacts_(scene_, engine_.lattice()) {
+        contacts_(scene_, engine_.geometry()) {
     engine_.add(fill_bodies(scene_));
     engine_.start(1);
     for (int step = 0; step < 20; ++step) engine_.step(1, 1);
     store_.columns = engine_.store().columns;
-    order_particles<Real>(engine_.store(), nullptr, engine_.lattice(), nullptr, store_);
+    sort_particles<Real>(engine_.store(), nullptr, engine_.geometry(), nullptr, store_);
     kept_.resize_and_forget(store_.data.size());
     std::copy_n(store_.data.data(), store_.data.size(), kept_.data());
     for (const Tile& tile : store_.tiles) counts_.push_back(tile.count);
-    active_.surround(store_.blocks, engine_.lattice());
+    active_.surround(store_.blocks, engine_.geometry());
     const std::size_t nodes = active_.at.size() * k_block_nodes;
     gathered_.resize_and_forget(nodes * static_cast<std::size_t>(kernel_->gathered_row()));
     scattered_.resize_and_forget(nodes * static_cast<std::size_t>(kernel_->scattered_row()));
@@ -94,7 +94,7 @@ class Passes {
 
  private:
   double pass(const Physics<Real>& physics) {
-    const double dx = engine_.lattice().dx();
+    const double dx = engine_.geometry().dx();
     BlockWork<Real> work;
     work.store = &store_;
     work.physics = &physics;
@@ -106,9 +106,9 @@ class Passes {
     work.step.inverse_d = static_cast<Real>(4 / (dx * dx));
     work.step.time = engine_.time();
     for (int d = 0; d < 3; ++d) {
-      work.origin[d] = static_cast<Real>(engine_.lattice().origin({0, 0, 0})[static_cast<std::size_t>(d)]);
-      work.low_face[d] = static_cast<Real>(engine_.lattice().low_face());
-      work.high_face[d] = static_cast<Real>(engine_.lattice().high_face(d));
+      work.origin[d] = static_cast<Real>(engine_.geometry().origin({0, 0, 0})[static_cast<std::size_t>(d)]);
+      work.low_face[d] = static_cast<Real>(engine_.geometry().low_face());
+      work.high_face[d] = static_cast<Real>(engine_.geometry().high_face(d));
     }
     std::vector<BlockResult<Real>> results(store_.blocks.size());
     const Stopwatch watch;

@@ -9,10 +9,10 @@
 #include <functional>
 #include <memory>
 
-#include "solver/baker/engine.h"
-#include "solver/baker/simulation.h"
+#include "analysis/machines/scenes.h"
+#include "solver/engine/engine.h"
+#include "solver/run/simulation.h"
 #include "solver/scene/describe.h"
-#include "studies/machines/scenes.h"
 #include "tests/bench/flops.h"
 #include "tests/bench/flowing.h"
 #include "tests/bench/stopwatch.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "studies/machines/limits.h"
+#include "analysis/machines/limits.h"
 
 namespace bake::bench {
 

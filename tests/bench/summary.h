@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "studies/machines/limits.h"
+#include "analysis/machines/limits.h"
 
 namespace bake::bench {
 

@@ -10,8 +10,8 @@
 #include <memory>
 #include <string>
 
-#include "solver/baker/simulation.h"
-#include "solver/boundary/vector3.h"
+#include "solver/core/vector3.h"
+#include "solver/run/simulation.h"
 #include "solver/scene/reader.h"
 
 namespace bake {

@@ -6,9 +6,9 @@
 #include <map>
 #include <random>
 
-#include "solver/baker/engine.h"
 #include "solver/boundary/rotation.h"
-#include "solver/particles/order.h"
+#include "solver/engine/engine.h"
+#include "solver/grid/sort_particles.h"
 #include "tests/conservation/dough.h"
 
 namespace bake {
@@ -44,8 +44,8 @@ std::map<std::int64_t, Now> particles_of(const Engine<Real>& engine) {
     for (std::int32_t t = block.first_tile; t < block.first_tile + block.tiles; ++t)
       for (int l = 0; l < store.tiles[static_cast<std::size_t>(t)].count; ++l) {
         const auto* columns = store.tile(static_cast<std::size_t>(t));
-        Now now{engine.lattice().origin(block.at), {}, {}};
-        for (std::size_t d = 0; d < 3; ++d) now.x[d] += engine.lattice().dx() * static_cast<double>(columns[d][l]);
+        Now now{engine.geometry().origin(block.at), {}, {}};
+        for (std::size_t d = 0; d < 3; ++d) now.x[d] += engine.geometry().dx() * static_cast<double>(columns[d][l]);
         for (int c = 4; c < store.columns; ++c) now.columns.push_back(static_cast<double>(columns[c][l]));
         for (const auto& column : engine.physics().columns)
           if (column.width == 1 && column.first >= 4) now.scalars.push_back(static_cast<double>(columns[column.first][l]));

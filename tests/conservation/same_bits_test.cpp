@@ -2,7 +2,7 @@
 // The same scene gives the same bits: for any number of threads, and for a run that was stopped and went on.
 #include <gtest/gtest.h>
 
-#include "solver/baker/engine.h"
+#include "solver/engine/engine.h"
 #include "tests/conservation/dough.h"
 #include "tests/support/temporary_folder.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/departures/departures.h"
+#include "experiments/departures/departures.h"
 
 #include <gtest/gtest.h>
 

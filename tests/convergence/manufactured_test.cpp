@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The body forces of the manufactured solutions against finite differences of the motion and of Hencky's law, which know nothing of the
 // derivation: F, a and div P are differenced, tau is lambda tr(eps) + 2 mu eps with eps = 1/2 ln(F F^T) by eigenvalues.
-#include "studies/convergence/manufactured.h"
+#include "experiments/convergence/manufactured.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <random>
 
-#include "solver/boundary/vector3.h"
+#include "solver/core/vector3.h"
 
 namespace bake::studies {
 namespace {

@@ -3,8 +3,8 @@
 // studies/convergence, and are printed where one is missed.
 #include <gtest/gtest.h>
 
-#include "studies/convergence/cases.h"
-#include "studies/order.h"
+#include "experiments/common/order.h"
+#include "experiments/convergence/cases.h"
 
 namespace bake::studies {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `bake study surface` at its quick resolutions. Bands and their reasons stand in studies/surface.
-#include "studies/surface/surface.h"
+#include "experiments/surface/surface.h"
 
 #include <gtest/gtest.h>
 

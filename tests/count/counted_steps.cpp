@@ -4,9 +4,9 @@
 #include <omp.h>
 #include <valgrind/callgrind.h>
 
-#include "solver/baker/simulation.h"
+#include "analysis/machines/scenes.h"
+#include "solver/run/simulation.h"
 #include "solver/scene/scene.h"
-#include "studies/machines/scenes.h"
 
 namespace bake::count {
 

@@ -4,7 +4,7 @@
 
 namespace bake::count {
 
-/// One thread takes the same few steps of a small loaf (studies/machines/scenes.h), combination by combination, in single precision; under
+/// One thread takes the same few steps of a small loaf (analysis/machines/scenes.h), combination by combination, in single precision; under
 /// callgrind with --instr-atstart=no the last step of each is counted, and its counts are written with the combination's name.
 void take_counted_steps();
 

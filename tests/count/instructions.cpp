@@ -10,11 +10,11 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "solver/core/errors.h"
 #include "solver/io/atomic_file.h"
 #include "solver/io/child.h"
 #include "solver/io/provenance.h"
 #include "solver/io/scratch_folder.h"
-#include "solver/scene/input_error.h"
 
 namespace bake::count {
 namespace {

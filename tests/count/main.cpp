@@ -4,9 +4,9 @@
 
 #include <memory>
 
-#include "solver/cli/blessing.h"
-#include "solver/cli/program.h"
-#include "solver/scene/input_error.h"
+#include "analysis/claims/blessing.h"
+#include "solver/core/errors.h"
+#include "solver/program/program.h"
 #include "tests/count/counted_steps.h"
 #include "tests/count/instructions.h"
 

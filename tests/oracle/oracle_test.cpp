@@ -82,7 +82,7 @@ std::string words_of(std::string effects) {
 
 constexpr const char* k_everything = "motion, heat, water, elasticity, plasticity, leavening";
 
-/// Every combination of effects that is compiled (solver/effects/model_list.h), with both kernels.
+/// Every combination of effects that is compiled (solver/engine/model_list.h), with both kernels.
 std::vector<RandomScene> every_model() {
   const std::vector<std::string> effects = {"heat",
                                             "water",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Dough whose properties or deformation are far outside what anybody bakes. Each case must end with finite numbers, closed books and no
 // energy from nowhere (energy.h).
-#include "solver/particles/fields.h"
+#include "solver/effects/fields.h"
 #include "tests/stability/cruel.h"
 
 namespace bake {

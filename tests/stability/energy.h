@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/effects/all_effects.h"
-#include "solver/particles/fields.h"
+#include "solver/effects/fields.h"
 #include "tests/conservation/dough.h"
 
 namespace bake {

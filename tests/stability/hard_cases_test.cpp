@@ -2,9 +2,9 @@
 // Cruel scenes end with finite numbers and closed books, or with an error that names particle, quantity and step.
 #include <gtest/gtest.h>
 
-#include "solver/baker/engine.h"
-#include "solver/baker/fill_scene.h"
 #include "solver/effects/elasticity.h"
+#include "solver/engine/engine.h"
+#include "solver/run/fill_scene.h"
 #include "tests/stability/cruel.h"
 #include "tests/support/temporary_folder.h"
 

@@ -14,6 +14,6 @@ ninja -C "$commands" bake_commit >>"$commands.log"  # makes a header
 sed -i 's/-Wno-maybe-uninitialized//' "$commands/compile_commands.json"
 
 files=("$@")
-if ((${#files[@]} == 0)); then mapfile -t files < <(git ls-files -- 'solver/*.cpp' 'claims/*.cpp' 'studies/*.cpp' 'reference/*.cpp'); fi
+if ((${#files[@]} == 0)); then mapfile -t files < <(git ls-files -- 'solver/*.cpp' 'analysis/claims/*.cpp' 'analysis/machines/*.cpp' 'experiments/*.cpp' 'reference/*.cpp' 'cli/*.cpp'); fi
 printf '%s\n' "${files[@]}" |
   xargs -P "${JOBS:-2}" -n 1 clang-tidy -p "$commands" --quiet --warnings-as-errors='*' 2> >(grep -vE '^[0-9]+ warnings? (generated|treated)' >&2 || true)

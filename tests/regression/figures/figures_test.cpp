@@ -13,8 +13,8 @@
 #include <set>
 #include <string>
 
-#include "analysis/look/image.h"
-#include "figures/figure_file.h"
+#include "analysis/image/image.h"
+#include "experiments/make/figure_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bake {

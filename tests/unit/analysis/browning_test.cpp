@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solver/scene/input_error.h"
+#include "solver/core/errors.h"
 #include "tests/unit/analysis/runs.h"
 
 namespace bake {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "analysis/look/colour.h"
+#include "analysis/image/colour.h"
 
 #include <gtest/gtest.h>
 

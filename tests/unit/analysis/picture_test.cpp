@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "analysis/surface/splat.h"
+#include "solver/core/errors.h"
 #include "solver/io/atomic_file.h"
-#include "solver/scene/input_error.h"
 #include "tests/unit/analysis/runs.h"
 
 namespace bake {

@@ -6,9 +6,9 @@
 
 #include <cstdlib>
 
-#include "analysis/look/montage.h"
+#include "analysis/image/montage.h"
 #include "analysis/slices/draw.h"
-#include "solver/scene/input_error.h"
+#include "solver/core/errors.h"
 #include "tests/unit/analysis/runs.h"
 
 namespace bake {

@@ -9,7 +9,7 @@
 
 #include "analysis/surface/mesh_tools.h"
 #include "analysis/surface/splat.h"
-#include "solver/scene/input_error.h"
+#include "solver/core/errors.h"
 #include "tests/unit/analysis/runs.h"
 
 namespace bake {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "solver/boundary/shapes.h"
-#include "solver/boundary/vector3.h"
+#include "solver/core/vector3.h"
 
 namespace bake {
 

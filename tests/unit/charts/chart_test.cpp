@@ -12,8 +12,8 @@
 
 #include "analysis/charts/labels.h"
 #include "analysis/charts/text.h"
+#include "solver/core/errors.h"
 #include "solver/io/atomic_file.h"
-#include "solver/scene/input_error.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bake::charts {

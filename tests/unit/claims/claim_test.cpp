@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "claims/claim.h"
+#include "analysis/claims/claim.h"
 
 #include <gtest/gtest.h>
 

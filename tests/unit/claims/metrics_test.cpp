@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "claims/metric.h"
+#include "analysis/claims/metric.h"
+#include "solver/core/errors.h"
 #include "solver/io/frames.h"
-#include "solver/scene/input_error.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bake {

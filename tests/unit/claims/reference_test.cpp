@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "claims/reference.h"
+#include "analysis/claims/reference.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "solver/scene/input_error.h"
+#include "solver/core/errors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bake {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver/baker/contacts.h"
+#include "solver/engine/contacts.h"
 
 #include <gtest/gtest.h>
 
@@ -18,12 +18,12 @@ TEST(DomainFaces, AreKnownToTheirNodesBlockWhateverTheRounding) {
       scene.domain.min_m = {-0.3, -0.3, -0.3};
       scene.domain.max_m = {-0.3 + cells * dx, 1e3, 1e3};
       scene.domain.x_min = scene.domain.y_min = scene.domain.z_min = scene.domain.y_max = scene.domain.z_max = Face::open;
-      const Lattice lattice(scene.domain, dx);
-      Contacts contacts(scene, lattice);
+      const GridGeometry geometry(scene.domain.min_m, scene.domain.max_m, dx);
+      Contacts contacts(scene, geometry);
       contacts.prepare(0);
-      const int face = static_cast<int>(lattice.high_face(0));
+      const int face = static_cast<int>(geometry.high_face(0));
       const BlockIndex block{face / 4, 4, 4};
-      const Point node = lattice.origin(block) + Vector3{face % 4 * dx, 0, 0};
+      const Point node = geometry.origin(block) + Vector3{face % 4 * dx, 0, 0};
       EXPECT_TRUE(contacts.near(block, 0)) << cells << " cells of " << dx;
       EXPECT_EQ(contacts.velocity_after(node, {1, 0, 0})[0], 0) << cells << " cells of " << dx;
     }

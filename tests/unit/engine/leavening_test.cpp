@@ -7,8 +7,8 @@
 
 #include "solver/effects/elasticity.h"
 #include "solver/effects/heat.h"
-#include "solver/effects/physics.h"
 #include "solver/effects/water.h"
+#include "solver/engine/physics.h"
 #include "tests/unit/engine/scene_of_everything.h"
 
 namespace bake {

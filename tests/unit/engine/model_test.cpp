@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "solver/effects/physics.h"
+#include "solver/engine/physics.h"
 #include "tests/conservation/dough.h"
 
 namespace bake {

@@ -14,7 +14,7 @@ failures=0
 
 # The command that compiles a composition on its own: that of another file of the engine, from the database that CMake writes.
 command_of() { # <file name of the source>
-  sed -n "s|^ *\"command\": \"\(.* -c \).*/solver/grid/surface.cpp\",\$|\1$build/solver/generated/$1|p" "$build/compile_commands.json" |
+  sed -n "s|^ *\"command\": \"\(.* -c \).*/solver/engine/surface.cpp\",\$|\1$build/solver/generated/$1|p" "$build/compile_commands.json" |
     sed 's/\\"/"/g'
 }
 
@@ -45,7 +45,7 @@ expect_same() { # <composition> <effects left out>...
   fi
 }
 
-# Numbers as in solver/effects/model_list.h.
+# Numbers as in solver/engine/model_list.h.
 expect_same 3 heat water moving_water plasticity leavening free_surface flip_memory  # motion, elasticity
 expect_same 10 leavening flip_memory                                    # motion, heat, water, elasticity, plasticity
 

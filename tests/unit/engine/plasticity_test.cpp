@@ -10,7 +10,7 @@
 #include <map>
 #include <random>
 
-#include "solver/effects/physics.h"
+#include "solver/engine/physics.h"
 #include "tests/unit/engine/scene_of_everything.h"
 
 namespace bake {

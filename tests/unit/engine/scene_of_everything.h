@@ -2,7 +2,7 @@
 // One material with every effect, for its ParticleOfEverything.
 #pragma once
 
-#include "solver/particles/particle_of_everything.h"
+#include "solver/effects/particle_of_everything.h"
 #include "solver/scene/reader.h"
 
 namespace bake {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver/baker/time_step.h"
+#include "solver/engine/time_step.h"
 
 #include <gtest/gtest.h>
 

@@ -7,11 +7,11 @@
 
 #include "experiments/fig14_return_map/stress_state.h"
 #include "experiments/fig15_bread/dough.h"
+#include "experiments/make/make_figure.h"
+#include "experiments/make/pipeline.h"
 #include "experiments/table01_timings/timings.h"
 #include "experiments/table02_parameters/parameters.h"
-#include "figures/make_figure.h"
-#include "figures/steps.h"
-#include "solver/scene/input_error.h"
+#include "solver/core/errors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bake {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "figures/items.h"
+#include "experiments/make/items.h"
 
 #include <gtest/gtest.h>
 
-#include "solver/scene/input_error.h"
+#include "solver/core/errors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bake {

@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "figures/make_figure.h"
+#include "experiments/make/make_figure.h"
 #include "solver/scene/reader.h"
 
 namespace bake {

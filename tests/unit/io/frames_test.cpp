@@ -7,7 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "solver/scene/input_error.h"
+#include "solver/core/errors.h"
 #include "tests/unit/io/files.h"
 
 namespace bake {

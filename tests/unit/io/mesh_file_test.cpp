@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "solver/core/errors.h"
 #include "solver/io/hdf5.h"
 #include "solver/io/particles_file.h"
-#include "solver/scene/input_error.h"
 #include "tests/unit/io/files.h"
 
 namespace bake {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "solver/effects/physics.h"
 #include "solver/effects/plasticity.h"
+#include "solver/engine/physics.h"
 #include "tests/unit/engine/scene_of_everything.h"
 #include "tests/unit/laws/law.h"
 

@@ -3,8 +3,8 @@
 #include "solver/effects/elasticity.h"
 #include "solver/effects/heat.h"
 #include "solver/effects/leavening.h"
-#include "solver/effects/physics.h"
 #include "solver/effects/water.h"
+#include "solver/engine/physics.h"
 #include "tests/unit/engine/scene_of_everything.h"
 #include "tests/unit/laws/law.h"
 

@@ -8,7 +8,7 @@
 #include "meshing/fracture/census.h"
 #include "meshing/fracture/positions.h"
 #include "meshing/tets/lattice_mesher.h"
-#include "solver/boundary/vector3.h"
+#include "solver/core/vector3.h"
 #include "tests/unit/laws/law.h"
 #include "tests/unit/meshing/solids.h"
 

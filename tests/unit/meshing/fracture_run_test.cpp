@@ -8,8 +8,8 @@
 
 #include "meshing/fracture/fracture.h"
 #include "meshing/tets/lattice_mesher.h"
+#include "solver/core/errors.h"
 #include "solver/io/frames.h"
-#include "solver/scene/input_error.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/meshing/solids.h"
 

@@ -10,8 +10,8 @@
 #include "meshing/solid/triangle_mesh.h"
 #include "meshing/tets/feature_mesher.h"
 #include "meshing/tets/lattice_mesher.h"
-#include "solver/boundary/vector3.h"
-#include "solver/scene/input_error.h"
+#include "solver/core/errors.h"
+#include "solver/core/vector3.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/meshing/solids.h"
 

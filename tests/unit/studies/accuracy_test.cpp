@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The study of accuracy: its fronts, its raw data, and that a study which was stopped goes on.
-#include "studies/accuracy/accuracy.h"
+#include "experiments/accuracy/accuracy.h"
 
 #include <gtest/gtest.h>
 
@@ -8,16 +8,16 @@
 #include <cmath>
 #include <fstream>
 
+#include "experiments/accuracy/expected.h"
+#include "experiments/accuracy/knobs.h"
+#include "experiments/accuracy/reference.h"
+#include "experiments/accuracy/result.h"
+#include "experiments/accuracy/scene_file.h"
+#include "solver/core/errors.h"
 #include "solver/scene/entry.h"
-#include "solver/scene/input_error.h"
 #include "solver/scene/reader.h"
 #include "solver/scene/resolved.h"
 #include "solver/scene/scene.h"
-#include "studies/accuracy/expected.h"
-#include "studies/accuracy/knobs.h"
-#include "studies/accuracy/reference.h"
-#include "studies/accuracy/result.h"
-#include "studies/accuracy/scene_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bake::studies::accuracy {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "studies/effects/effects.h"
+#include "experiments/effects/effects.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "studies/machines/scenes.h"
+#include "analysis/machines/scenes.h"
 
 namespace bake::studies {
 namespace {

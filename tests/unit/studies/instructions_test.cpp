@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "solver/scene/input_error.h"
+#include "solver/core/errors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bake::count {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "solver/scene/input_error.h"
-#include "studies/machines/comparison.h"
+#include "analysis/machines/comparison.h"
+#include "solver/core/errors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bake::studies {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "studies/statistics.h"
+#include "analysis/machines/statistics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Claims: what is measured of an item's runs must fulfil a condition; each says what kind of evidence it is, and why.
+//
+//     [[claim]]
+//     metric = "distance_gain"
+//     of = ["one_slit", "three_slits"]
+//     from_m = [-0.05, 0, 0.3]
+//     to_m = [0.05, 0, 0.3]
+//     at_least = 1.2
+//     kind = "published"
+//     why = "figure 15: slits open"
+#pragma once
+
+#include <functional>
+
+#include "analysis/claims/reference.h"
+#include "solver/core/errors.h"
+#include "solver/scene/entry.h"
+
+namespace bake {
+
+/// What a metric does along `of`, which is a list then.
+enum class Order { rising, falling };
+constexpr auto choice_names(Order) { return std::array{"rising", "falling"}; }
+
+struct Claim {
+  std::string metric;
+  std::vector<std::string> of;
+  MetricPlace place;  ///< its keys stand directly in [[claim]]
+  std::optional<double> expected, tolerance, at_least, at_most;
+  std::string greater_than;
+  double factor = 1;
+  std::optional<Order> order;
+  Evidence kind{};
+  std::string why;
+  static constexpr auto parameters() {
+    return std::tuple{
+        Parameter{"metric", &Claim::metric, "", any_number, "what is measured; a name that the item's function gives, without `of`",
+                  Presence::required},
+        Parameter{"of", &Claim::of, "", any_number, "the run or surface that it is measured of, or a list: the condition holds for each"},
+        Parameter{"expected", &Claim::expected, "", any_number, "the number that it must be"},
+        Parameter{"tolerance", &Claim::tolerance, "", non_negative, "how far it may be from that"},
+        Parameter{"at_least", &Claim::at_least, "", any_number, "lower bound"},
+        Parameter{"at_most", &Claim::at_most, "", any_number, "upper bound"},
+        Parameter{"greater_than", &Claim::greater_than, "", any_number, "another run or surface: it is greater than the same of that"},
+        Parameter{"factor", &Claim::factor, "1", positive, "... times this"},
+        Parameter{"order", &Claim::order, "", any_number, "along the list `of`"},
+        Parameter{"kind", &Claim::kind, "", any_number, "what evidence it is", Presence::required},
+        Parameter{"why", &Claim::why, "", any_number, "of the condition and its numbers", Presence::required},
+    };
+  }
+};
+
+/// A table [[claim]], checked by itself: a known metric with what it needs and nothing else, and one condition.
+/// `computed` are the names that the item's own function gives. Throws InputError.
+Claim read_claim(const SceneEntry& entry, const std::vector<std::string>& computed);
+
+/// One line of the table of claims.
+struct ClaimVerdict {
+  std::string metric, meaning, of, unit, condition, why;
+  Evidence kind;
+  double measured;
+  bool holds;
+};
+
+/// Unit and meaning of what is measured.
+struct MetricWords {
+  std::string unit, meaning;
+};
+
+/// Measures a metric of a run or surface of that name, or what the item's function gives if `of` is empty.
+using Measure = std::function<double(const Claim& claim, const std::string& of)>;
+
+/// One verdict per run; one for the whole list if the claim is an order.
+std::vector<ClaimVerdict> judge(const Claim& claim, const MetricWords& words, const Measure& measure);
+
+/// For people, like the table of `bake check`.
+std::string table(const std::vector<ClaimVerdict>& verdicts);
+
+}  // namespace bake

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// What `bake-mesh fracture` found, read back from its fracture.json.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "solver/core/parameter.h"
+
+namespace bake {
+
+/// A body's cracks and pieces, frame by frame.
+struct Fracture {
+  /// A connected set of broken edges.
+  struct Crack {
+    double area_m2 = 0, length_m = 0;
+    Vector3 centre_m{};  ///< where it is in the reference mesh
+  };
+  /// A part of the body that hangs together, with its surface.
+  struct Piece {
+    double volume_m3 = 0;
+    bool closed = false;  ///< its surface is a closed manifold
+  };
+  struct Frame {
+    double time_s = 0, crack_area_m2 = 0;
+    double volume_m3 = 0;      ///< of all pieces
+    double cut_volume_m3 = 0;  ///< of all pieces, laid back into the reference mesh
+    std::vector<Crack> cracks;
+    std::vector<Piece> pieces;
+  };
+
+  std::filesystem::path file;
+  double mesh_volume_m3 = 0;  ///< of the reference mesh
+  std::vector<Frame> frames;
+
+  /// The frame nearest to a time, the last one if none is given.
+  const Frame& at(std::optional<double> time_s) const;
+};
+
+/// Throws InputError: no such file, or not what bake-mesh writes.
+Fracture read_fracture(const std::filesystem::path& file);
+
+}  // namespace bake

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+// Metrics of frames: particles are followed by their identity, named by where they were at the start.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "analysis/claims/metric.h"
+#include "solver/core/errors.h"
+
+namespace bake {
+namespace {
+
+Vector3 position(const std::vector<float>& positions, std::size_t row) {
+  return {positions[3 * row], positions[3 * row + 1], positions[3 * row + 2]};
+}
+
+double distance(const Vector3& a, const Vector3& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+
+/// The particle that started nearest to `point`.
+std::int64_t particle_at(const FrameReader& start, const Vector3& point) {
+  const auto positions = start.positions();
+  if (positions.empty()) throw InputError("found no particle at the start, allowed: a point inside a body");
+  std::size_t nearest = 0;
+  for (std::size_t row = 1; row < start.particles(); ++row)
+    if (distance(position(positions, row), point) < distance(position(positions, nearest), point)) nearest = row;
+  return start.identities()[nearest];
+}
+
+std::size_t row_of(const Results& run, int frame, const FrameReader& reader, std::int64_t particle) {
+  const std::int64_t row = reader.rows_by_identity(particle, 1)[0];
+  if (row < 0)
+    throw InputError(fmt::format("{}: found no particle {}, allowed: frames of one run, and particles that stay in the domain",
+                                 (run.folder() / "frames" / frame_name(frame)).string(), particle));
+  return static_cast<std::size_t>(row);
+}
+
+Vector3 place_of(const Results& run, int frame, std::int64_t particle) {
+  const FrameReader reader = run.frame(frame);
+  return position(reader.positions(), row_of(run, frame, reader, particle));
+}
+
+double temperature_of(const Results& run, int frame, std::int64_t particle) {
+  const FrameReader reader = run.frame(frame);
+  return reader.column("temperature")[row_of(run, frame, reader, particle)];
+}
+
+/// Distance between two particles, over that at the start.
+double distance_gain(const Results& run, const MetricPlace& at) {
+  const FrameReader start = run.frame(0);
+  const auto a = particle_at(start, *at.from_m), b = particle_at(start, *at.to_m);
+  const auto apart = [&](int frame) {
+    const Vector3 place = place_of(run, frame, a);
+    return distance(place, place_of(run, frame, b));
+  };
+  const double before = apart(0);
+  return before > 0 ? apart(run.frame_at(at.time_s)) / before : std::nan("");
+}
+
+double temperature_at(const Results& run, const MetricPlace& at) {
+  return temperature_of(run, run.frame_at(at.time_s), particle_at(run.frame(0), *at.point_m));
+}
+
+/// Time of the first frame at which a particle has a temperature; infinite if it never has.
+double time_to_reach(const Results& run, const MetricPlace& at) {
+  const auto particle = particle_at(run.frame(0), *at.point_m);
+  const auto times = run.column("time_s");
+  for (std::size_t frame = 0; frame < times.size(); ++frame)
+    if (temperature_of(run, static_cast<int>(frame), particle) >= *at.temperature_C) return times[frame];
+  return k_infinity;
+}
+
+/// Share of the volume of all particles for which `counts(row)`.
+template <class Counts>
+double volume_share(const FrameReader& frame, Counts counts) {
+  const auto volumes = frame.column("volume");
+  double all = 0, counted = 0;
+  for (std::size_t row = 0; row < volumes.size(); ++row) {
+    all += static_cast<double>(volumes[row]);
+    if (counts(row)) counted += static_cast<double>(volumes[row]);
+  }
+  return all > 0 ? counted / all : std::nan("");
+}
+
+double heated_share(const Results& run, const MetricPlace& at) {
+  const FrameReader frame = run.frame(run.frame_at(at.time_s));
+  const auto peak = frame.column("peak_temperature");
+  return volume_share(frame, [&](std::size_t row) { return static_cast<double>(peak[row]) >= *at.temperature_C; });
+}
+
+/// How much of each particle's water is gone since the start, as a share.
+std::vector<double> dryness(const FrameReader& start, const FrameReader& now) {
+  const auto before = start.column("water_mass"), after = now.column("water_mass");
+  const auto ids = now.identities();
+  const auto last = std::max_element(ids.begin(), ids.end());
+  const auto rows = start.rows_by_identity(0, last == ids.end() ? 0 : static_cast<std::size_t>(*last) + 1);
+  std::vector<double> dry;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const std::int64_t row = rows[static_cast<std::size_t>(ids[i])];
+    if (row < 0) throw InputError(fmt::format("found particle {}, which was not there at the start, allowed: bodies alone", ids[i]));
+    const auto had = static_cast<double>(before[static_cast<std::size_t>(row)]);
+    dry.push_back(had > 0 ? 1 - static_cast<double>(after[i]) / had : 0);
+  }
+  return dry;
+}
+
+/// Volume of what has dried, over the area that touches air: how deep that layer would be if it were as deep everywhere. What counts as
+/// dried goes from nothing at half the share to all at one and a half times of it, for two reasons: a layer of few particles would change
+/// in jumps with a sharp edge, and what is below half is not counted at all, so that round-off of a whole loaf's inside adds nothing.
+/// Temperature would not do in place of water: it comes through a loaf long before the crust is formed.
+double crust_thickness(const Results& run, const MetricPlace& at) {
+  const int number = run.frame_at(at.time_s);
+  const FrameReader now = run.frame(number);
+  const auto volumes = now.column("volume");
+  const auto dry = dryness(run.frame(0), now);
+  double crust = 0;
+  for (std::size_t row = 0; row < volumes.size(); ++row)
+    crust += static_cast<double>(volumes[row]) * std::clamp(dry[row] / *at.dried_share - 0.5, 0.0, 1.0);
+  const double area = run.column("surface_m2")[static_cast<std::size_t>(number)];
+  return area > 0 ? crust / area : std::nan("");
+}
+
+/// The middle of the particles at the start, seen from above.
+std::array<double, 2> axis_of(const Results& run) {
+  const auto positions = run.frame(0).positions();
+  std::array<double, 2> sum{};
+  for (std::size_t i = 0; i < positions.size(); i += 3) {
+    sum[0] += static_cast<double>(positions[i]);
+    sum[1] += static_cast<double>(positions[i + 1]);
+  }
+  const std::size_t count = positions.size() / 3;
+  return {sum[0] / static_cast<double>(count), sum[1] / static_cast<double>(count)};
+}
+
+double distance_from(const std::array<double, 2>& axis, const Vector3& place) { return std::hypot(place[0] - axis[0], place[1] - axis[1]); }
+
+double outflow(const Results& run, const MetricPlace& at) {
+  const auto axis = axis_of(run);
+  const FrameReader frame = run.frame(run.frame_at(at.time_s));
+  const auto positions = frame.positions();
+  return volume_share(frame, [&](std::size_t row) { return distance_from(axis, position(positions, row)) > *at.radius_m; });
+}
+
+/// The top within a radius of the axis: the highest particle of each ring of equal area.
+std::vector<std::array<double, 2>> top_profile(const Results& run, const MetricPlace& at) {
+  constexpr std::size_t k_rings = 8;
+  const auto axis = axis_of(run);
+  std::vector<std::array<double, 2>> highest(k_rings, {0, -k_infinity});
+  const auto positions = run.frame(run.frame_at(at.time_s)).positions();
+  for (std::size_t row = 0; row < positions.size() / 3; ++row) {
+    const Vector3 place = position(positions, row);
+    const double share = std::pow(distance_from(axis, place) / *at.radius_m, 2);
+    if (share >= 1) continue;
+    auto& ring = highest[static_cast<std::size_t>(share * k_rings)];
+    if (place[2] > ring[1]) ring = {share * *at.radius_m * *at.radius_m, place[2]};
+  }
+  std::erase_if(highest, [](const auto& ring) { return !std::isfinite(ring[1]); });
+  return highest;
+}
+
+/// kappa of z = z_0 - kappa r^2 / 2 through the top: least squares in r^2.
+double top_curvature(const Results& run, const MetricPlace& at) {
+  const auto top = top_profile(run, at);
+  const auto n = static_cast<double>(top.size());
+  double x = 0, z = 0, xx = 0, xz = 0;
+  for (const auto& [r2, height] : top) {
+    x += r2 / n;
+    z += height / n;
+  }
+  for (const auto& [r2, height] : top) {
+    xx += (r2 - x) * (r2 - x);
+    xz += (r2 - x) * (height - z);
+  }
+  return xx > 0 ? -2 * xz / xx : std::nan("");
+}
+
+}  // namespace
+
+std::vector<Metric> frame_metrics() {
+  return {
+      {"distance_gain",
+       "1",
+       "distance of the particles that started nearest to from_m and to_m, over that at the start: a slit's width",
+       distance_gain,
+       nullptr,
+       {"from_m", "to_m"},
+       {"time_s"}},
+      {"temperature_at",
+       "C",
+       "temperature of the particle that started nearest to point_m",
+       temperature_at,
+       nullptr,
+       {"point_m"},
+       {"time_s"}},
+      {"time_to_reach",
+       "s",
+       "time at which the particle that started nearest to point_m reaches temperature_C",
+       time_to_reach,
+       nullptr,
+       {"point_m", "temperature_C"}},
+      {"heated_share",
+       "1",
+       "share of the volume that has been at temperature_C: gelatinised, for dough",
+       heated_share,
+       nullptr,
+       {"temperature_C"},
+       {"time_s"}},
+      {"crust_thickness",
+       "m",
+       "mean thickness of the layer that has lost dried_share of its water: its volume over the area that touches air",
+       crust_thickness,
+       nullptr,
+       {"dried_share"},
+       {"time_s"}},
+      {"outflow",
+       "1",
+       "share of the volume that is farther than radius_m from the upright axis through the start's middle",
+       outflow,
+       nullptr,
+       {"radius_m"},
+       {"time_s"}},
+      {"top_curvature",
+       "1/m",
+       "curvature of the top within radius_m of that axis: above 0 for a dome, below for a dent",
+       top_curvature,
+       nullptr,
+       {"radius_m"},
+       {"time_s"}},
+  };
+}
+
+}  // namespace bake

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// Metrics of fracture surfaces: cracks and pieces.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "analysis/claims/metric.h"
+
+namespace bake {
+namespace {
+
+double as_number(std::size_t count) { return static_cast<double>(count); }
+
+double crack_length(const Fracture& fracture, const MetricPlace& at) {
+  double sum = 0;
+  for (const Fracture::Crack& crack : fracture.at(at.time_s).cracks) sum += crack.length_m;
+  return sum;
+}
+
+bool inside(const Vector3& point, const Vector3& low, const Vector3& high) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (point[axis] < low[axis] || point[axis] > high[axis]) return false;
+  return true;
+}
+
+/// No number where there is no crack.
+double crack_share(const Fracture& fracture, const MetricPlace& at) {
+  double all = 0, within = 0;
+  for (const Fracture::Crack& crack : fracture.at(at.time_s).cracks) {
+    all += crack.area_m2;
+    if (inside(crack.centre_m, *at.low_m, *at.high_m)) within += crack.area_m2;
+  }
+  return all > 0 ? within / all : std::nan("");
+}
+
+double open_pieces(const Fracture& fracture, const MetricPlace& at) {
+  const auto& pieces = fracture.at(at.time_s).pieces;
+  return as_number(
+      static_cast<std::size_t>(std::count_if(pieces.begin(), pieces.end(), [](const Fracture::Piece& p) { return !p.closed; })));
+}
+
+double pieces_volume(const Fracture& fracture, const MetricPlace& at) {
+  return fracture.at(at.time_s).volume_m3 / fracture.frames.front().volume_m3;
+}
+
+double cut_volume(const Fracture& fracture, const MetricPlace& at) {
+  return fracture.at(at.time_s).cut_volume_m3 / fracture.mesh_volume_m3;
+}
+
+/// Shares of the two largest pieces in the volume of all, the larger one first.
+std::array<double, 2> largest_shares(const Fracture& fracture, const MetricPlace& at) {
+  const Fracture::Frame& frame = fracture.at(at.time_s);
+  std::vector<double> volumes{0, 0};
+  for (const Fracture::Piece& piece : frame.pieces) volumes.push_back(piece.volume_m3);
+  std::sort(volumes.rbegin(), volumes.rend());
+  return {volumes[0] / frame.volume_m3, volumes[1] / frame.volume_m3};
+}
+
+double second_piece(const Fracture& fracture, const MetricPlace& at) { return largest_shares(fracture, at)[1]; }
+
+double two_pieces(const Fracture& fracture, const MetricPlace& at) {
+  const auto [first, second] = largest_shares(fracture, at);
+  return first + second;
+}
+
+}  // namespace
+
+std::vector<Metric> surface_metrics() {
+  using F = const Fracture&;
+  using P = const MetricPlace&;
+  return {
+      {"cracks", "1", "number of cracks", nullptr, [](F f, P at) { return as_number(f.at(at.time_s).cracks.size()); }, {}, {"time_s"}},
+      {"crack_area", "m^2", "area of all cracks", nullptr, [](F f, P at) { return f.at(at.time_s).crack_area_m2; }, {}, {"time_s"}},
+      {"crack_length", "m", "length of all cracks", nullptr, crack_length, {}, {"time_s"}},
+      {"crack_share",
+       "1",
+       "share of the cracks' area in the box of the reference mesh",
+       nullptr,
+       crack_share,
+       {"low_m", "high_m"},
+       {"time_s"}},
+      {"pieces", "1", "number of pieces", nullptr, [](F f, P at) { return as_number(f.at(at.time_s).pieces.size()); }, {}, {"time_s"}},
+      {"open_pieces", "1", "number of pieces whose surface is not closed", nullptr, open_pieces, {}, {"time_s"}},
+      {"pieces_volume", "1", "volume of all pieces over that at the first of the surface's times", nullptr, pieces_volume, {}, {"time_s"}},
+      {"cut_volume", "1", "volume of all pieces in the reference mesh over that of the mesh", nullptr, cut_volume, {}, {"time_s"}},
+      {"second_piece", "1", "volume of the second largest piece over that of all", nullptr, second_piece, {}, {"time_s"}},
+      {"two_pieces", "1", "volume of the two largest pieces over that of all", nullptr, two_pieces, {}, {"time_s"}},
+  };
+}
+
+}  // namespace bake

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The table of verdicts that people read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/claims/reference.h"
+
+namespace bake {
+
+struct TableRow {
+  std::string what;
+  double measured;
+  std::string unit, condition;
+  Evidence kind;
+  bool holds;
+  std::string why;  ///< shown if it does not hold
+};
+
+/// Columns as wide as what stands in them.
+std::string table(const std::vector<TableRow>& rows);
+
+}  // namespace bake

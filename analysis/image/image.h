@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Pictures of pixels: drawn on, written as PNG, put side by side.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "analysis/image/colour.h"
+
+namespace bake {
+
+/// 8-bit sRGB, row by row from the top.
+struct Image {
+  int width = 0, height = 0;
+  std::vector<std::array<std::uint8_t, 3>> pixels;
+
+  Image() = default;
+  Image(int width, int height, const Colour& srgb);
+  std::array<std::uint8_t, 3>& at(int x, int y) {
+    return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+  }
+  const std::array<std::uint8_t, 3>& at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
+};
+
+std::array<std::uint8_t, 3> pixel(const Colour& srgb);
+
+/// Copies `part` to where its upper left corner is (x, y); what lies outside is left out.
+void paste(Image& image, const Image& part, int x, int y);
+
+/// The image at another size, each pixel the mean of what it covers: for making it smaller.
+Image scaled(const Image& image, int width, int height);
+
+/// Where a text is anchored, horizontally; vertically it is always its middle.
+enum class Anchor { left, centre, right };
+
+/// Draws one line of text, `size` pixels high from descent to ascent, with its middle at y and its anchor at x. ASCII: VTK leaves out other
+/// letters.
+void draw_text(Image& image, const std::string& text, int x, int y, int size, Anchor anchor, const Colour& srgb);
+
+/// Writes a PNG, whole or not at all; the same image gives the same bytes. Throws OutputError.
+void write_png(const std::filesystem::path& path, const Image& image);
+
+/// Throws InputError: missing, or no PNG.
+Image read_png(const std::filesystem::path& path);
+
+}  // namespace bake

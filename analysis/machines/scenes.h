@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The scenes that are timed: by ./bake bench, ./bake count and the study of effects.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solver/scene/settings.h"
+
+namespace bake {
+struct Scene;
+}
+
+namespace bake::bench {
+
+/// A combination of effects: one line of solver/engine/model_list.h.
+struct Combination {
+  std::string name;
+  std::vector<std::string> effects;
+  bool flip = false;
+};
+
+inline const std::vector<Combination> k_combinations = {
+    {"heat", {"heat"}},
+    {"water", {"water"}},
+    {"heat+water", {"heat", "water"}},
+    {"elastic", {"motion", "elasticity"}},
+    {"elastic+heat", {"motion", "elasticity", "heat"}},
+    {"elastic+water", {"motion", "elasticity", "water"}},
+    {"elastic+heat+water", {"motion", "elasticity", "heat", "water"}},
+    {"plastic", {"motion", "elasticity", "plasticity"}},
+    {"plastic+heat", {"motion", "elasticity", "plasticity", "heat"}},
+    {"plastic+water", {"motion", "elasticity", "plasticity", "water"}},
+    {"plastic+heat+water", {"motion", "elasticity", "plasticity", "heat", "water"}},
+    {"plastic+heat+leavening", {"motion", "elasticity", "plasticity", "heat", "leavening"}},
+    {"all", {"motion", "elasticity", "plasticity", "heat", "water", "leavening"}},
+    {"elastic/flip", {"motion", "elasticity"}, true},
+    {"plastic/flip", {"motion", "elasticity", "plasticity"}, true},
+    {"all/flip", {"motion", "elasticity", "plasticity", "heat", "water", "leavening"}, true},
+};
+
+/// A warm loaf on a tray in a hot oven, of about so many particles, seven in a cell.
+Scene loaf(const Combination& combination, Precision precision, double particles);
+
+/// A cube of so many cells a side, eight particles in each at quarter offsets, elastic, without gravity.
+Scene elastic_block(Precision precision, int cells);
+
+}  // namespace bake::bench

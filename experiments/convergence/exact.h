@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Exact solutions and their scenes that other studies measure, too.
+#pragma once
+
+#include "experiments/convergence/bar.h"
+
+namespace bake::studies {
+
+/// A slab from 0 to 1 at temperature 0 whose faces are held at 1 (x = 0) and 0 (x = 1): theta at x after `fourier` = D t / L^2.
+double held_slab_temperature(double x, double fourier);
+
+/// Barenblatt's source of water, s_t = (s s_x)_x, in a bar from the time when its front stands at 0.15 m from the middle until it
+/// stands at 0.3 m.
+namespace source {
+Bar bar(int cells);
+double duration_s();
+/// rms over the bar at the end, relative to the peak's.
+double saturation_error(const Snapshot& end);
+}  // namespace source
+
+/// An elastic bar with free ends in its first mode: velocity `speed` cos(pi x) cos(pi t). The first sample is after a quarter of a period.
+namespace first_mode {
+inline constexpr double period_s = 2;
+Bar bar(int cells, double speed);
+/// What the velocity has of the mode's shape, as a share of `speed`: cos(pi t).
+double share(const Snapshot& now, double speed);
+}  // namespace first_mode
+
+/// A ball of radius 1 m with rho c = 1 J/(m^3 K), at 1 C, in air at 0 C that takes 1 W/(m^2 K): Bi = 1 / `conductivity_W_per_mK`.
+namespace ball_in_air {
+inline constexpr Point centre{0.011, -0.017, 0.023};  ///< on no plane of the grid
+SceneBuilder setting(double cells_in_radius, double conductivity_W_per_mK);
+}  // namespace ball_in_air
+
+}  // namespace bake::studies

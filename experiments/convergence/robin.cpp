@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// A slab that cools in air: theta_t = theta_xx, -theta_n = beta theta at both faces, theta = 1 at first.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "experiments/convergence/bar.h"
+#include "experiments/convergence/cases.h"
+
+namespace bake::studies {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr double k_half = 0.5;  ///< half the thickness [m], the length of the Biot number
+
+/// Root n = 0, 1, ... of z tan z = Bi, by bisection of z sin z - Bi cos z between n pi and (n + 1/2) pi.
+double root(int n, double biot) {
+  double low = n * pi, high = (n + 0.5) * pi;
+  for (int i = 0; i < 100; ++i) {
+    const double z = (low + high) / 2, g = (z * std::sin(z) - biot * std::cos(z)) * (n % 2 ? -1 : 1);
+    (g < 0 ? low : high) = z;
+  }
+  return low;
+}
+
+double cooled(double x, double fourier, double biot) {
+  double sum = 0;
+  for (int n = 0; n < 40; ++n) {
+    const double z = root(n, biot);
+    sum += 4 * std::sin(z) / (2 * z + std::sin(2 * z)) * std::exp(-z * z * fourier) * std::cos(z * (x - k_half) / k_half);
+  }
+  return sum;
+}
+
+/// Six cells across: the area at a slip face is taken from the dough and its mirror image, which must not be seen at the other face.
+Bar slab(double biot) {
+  Bar bar;
+  bar.across = 6;
+  bar.air = 4;
+  bar.material = "initial_temperature_C = 1\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
+  bar.tables = fmt::format("[oven]\ntemperature_C = 0\nexchange_W_per_m2K = {}\n", biot / k_half);
+  return bar;
+}
+
+}  // namespace
+
+std::vector<Errors> robin(bool quick) {
+  std::vector<Errors> all;
+  for (const double biot : {0.1, 1.0, 10.0}) {
+    const double fourier = biot > 1 ? 0.2 : 0.5;
+    Errors e;
+    e.quantity = fmt::format("temperature at Bi = {}, Fo = {}, rms over 0.2 < x < 0.8", biot, fourier);
+    e.refined = "cells";
+    e.low = 0.8, e.high = 1.4;
+    e.why =
+        "first order from the surface layer: the exchange is taken at the nodes, which lie on average a share of dx below the surface, "
+        "where "
+        "it is warmer";
+    e.refinements = quick ? std::vector<double>{8, 16, 32} : std::vector<double>{8, 16, 32, 64};
+    for (const double n : e.refinements) {
+      Bar bar = slab(biot);
+      bar.cells = static_cast<int>(n);
+      bar.end_s = fourier * k_half * k_half;
+      const auto s = bar.begin();
+      run_to(*s, bar.end_s);
+      const Snapshot now = s->snapshot();
+      const auto& theta = now["temperature"];
+      e.errors.push_back(root_mean_square(differences(
+          now, [&](std::size_t i) { return theta[i]; }, [&](double x) { return cooled(x, fourier, biot); }, k_interior)));
+    }
+    all.push_back(e);
+  }
+  return all;
+}
+
+}  // namespace bake::studies

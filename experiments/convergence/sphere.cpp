@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// A sphere so conductive that it has one temperature cools in air: d theta / dt = -3 beta / (rho c R) theta.
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <cmath>
+
+#include "experiments/convergence/cases.h"
+#include "experiments/convergence/exact.h"
+
+namespace bake::studies {
+
+SceneBuilder ball_in_air::setting(double cells_in_radius, double conductivity_W_per_mK) {
+  SceneBuilder setting;
+  setting.dx = 1 / cells_in_radius;
+  setting.low = {-2, -2, -2};
+  setting.high = {2, 2, 2};
+  setting.material =
+      fmt::format("initial_temperature_C = 1\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = {}\n", conductivity_W_per_mK);
+  setting.tables = fmt::format(R"(
+[oven]
+temperature_C = 0
+exchange_W_per_m2K = 1
+[[body]]
+material = "dough"
+particles_per_cell = 8
+shape = {{ sphere = {{ centre_m = [{}, {}, {}], radius_m = 1 }} }}
+)",
+                               centre[0], centre[1], centre[2]);
+  return setting;
+}
+
+std::vector<Errors> lumped_sphere(bool quick) {
+  constexpr double biot = 1e-3, dt = 0.01;  // rho c = beta = R = 1
+  constexpr int steps = 3;
+  Errors rate, area;
+  rate.quantity = "rate of cooling against 3 beta / (rho c R)";
+  rate.low = 1.5, rate.high = 2.6;
+  rate.why =
+      "second order, that of the surface measure: the rate's error is the area's; the jitter of the particles makes single errors rise and "
+      "fall";
+  area.quantity = "rate of cooling against beta A / (rho c V), A and V as measured";
+  area.figure = Errors::Figure::largest_error;
+  area.high = 5e-4;
+  area.why = "the sphere loses beta A theta: all that is left is that its surface is cooler than its mean, Bi / 5";
+  rate.refined = area.refined = "cells in the radius";
+  rate.refinements = area.refinements = quick ? std::vector<double>{4, 6, 9, 13} : std::vector<double>{4, 6, 9, 13, 20};
+  for (const double n : rate.refinements) {
+    SceneBuilder setting = ball_in_air::setting(n, 1 / biot);
+    setting.threads = omp_get_num_procs();
+    setting.end_s = dt;
+    setting.tables += "[heat]\nintegrator = \"backward_euler\"\nimplicit_step_factor = 1e9\n";
+    const auto s = setting.begin();
+    const double before = total(*s, Total::heat_content), volume = total(*s, Total::volume);
+    for (int i = 1; i <= steps; ++i) run_to(*s, i * dt);
+    // backward Euler: each step divides by 1 + rate dt, exactly
+    const double found = (std::pow(before / total(*s, Total::heat_content), 1. / steps) - 1) / dt;
+    rate.errors.push_back(std::abs(found / 3 - 1));
+    area.errors.push_back(std::abs(found / (booked(*s, Entry::area) / volume) - 1));
+  }
+  return {rate, area};
+}
+
+}  // namespace bake::studies

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <map>
+
+#include "experiments/make/pipeline.h"
+#include "solver/io/atomic_file.h"
+#include "solver/io/provenance.h"
+
+namespace bake {
+namespace {
+
+/// Runs and surfaces that claims are about, each read once.
+class Measured {
+ public:
+  Measured(const FigurePaths& paths, const Computed& computed) : place_(paths), computed_(computed) {}
+
+  double operator()(const Claim& claim, const std::string& of) {
+    if (of.empty()) return find_named(computed_.numbers, claim.metric)->value;
+    const Metric& metric = find_metric(claim.metric);
+    return metric.of_run ? metric.of_run(run(of), claim.place) : metric.of_surface(surface(of), claim.place);
+  }
+
+ private:
+  const Results& run(const std::string& name) { return runs_.try_emplace(name, place_.run(name)).first->second; }
+  const Fracture& surface(const std::string& name) {
+    const auto found = surfaces_.find(name);
+    return found != surfaces_.end() ? found->second
+                                    : surfaces_.emplace(name, read_fracture(place_.surface(name) / "fracture.json")).first->second;
+  }
+
+  const FigurePaths& place_;
+  const Computed& computed_;
+  std::map<std::string, Results> runs_;
+  std::map<std::string, Fracture> surfaces_;
+};
+
+MetricWords words_of(const Claim& claim, const Computed& computed) {
+  if (!claim.of.empty()) return {find_metric(claim.metric).unit, find_metric(claim.metric).meaning};
+  const ComputedNumber& number = *find_named(computed.numbers, claim.metric);
+  return {number.unit, number.meaning};
+}
+
+nlohmann::json json_of(const ClaimVerdict& v) {
+  return {{"metric", v.metric},       {"meaning", v.meaning},    {"of", v.of},   {"measured", v.measured}, {"unit", v.unit},
+          {"condition", v.condition}, {"kind", word_of(v.kind)}, {"why", v.why}, {"holds", v.holds}};
+}
+
+nlohmann::json json_of(const FigurePaths& paths, const FigureRun& run) {
+  const nlohmann::json description = Results(paths.run(run.name)).description();
+  const nlohmann::json& summary = description["summary"];
+  return {{"name", run.name},
+          {"scene", run.scene},
+          {"set", run.set},
+          {"particles", summary["particles"]},
+          {"steps", summary["steps"]},
+          {"simulated_s", summary["time_s"]},
+          {"seconds", summary["wall_s"]},
+          {"provenance", description["provenance"]}};
+}
+
+template <class T>
+nlohmann::json files_of(const std::vector<T>& list, const char* extension) {
+  nlohmann::json files = nlohmann::json::array();
+  for (const T& one : list) files.push_back({{"file", one.name + extension}, {"shows", one.shows}});
+  return files;
+}
+
+nlohmann::json json_of(const ComputedNumber& n) { return {{"name", n.name}, {"value", n.value}, {"unit", n.unit}, {"meaning", n.meaning}}; }
+
+nlohmann::json json_of(const ComputedTable& t) { return {{"name", t.name}, {"title", t.title}, {"header", t.header}, {"rows", t.rows}}; }
+
+template <class T>
+nlohmann::json json_list(const std::vector<T>& list) {
+  nlohmann::json array = nlohmann::json::array();
+  for (const T& one : list) array.push_back(json_of(one));
+  return array;
+}
+
+}  // namespace
+
+std::vector<ClaimVerdict> check_claims(const FigurePaths& paths, const Computed& computed) {
+  Measured measured(paths, computed);
+  std::vector<ClaimVerdict> verdicts;
+  for (const Claim& claim : paths.figure.claims)
+    for (ClaimVerdict& v : judge(claim, words_of(claim, computed), std::ref(measured))) verdicts.push_back(std::move(v));
+  return verdicts;
+}
+
+void write_claims(const FigurePaths& paths, const Computed& computed, const std::vector<ClaimVerdict>& verdicts) {
+  nlohmann::json runs = nlohmann::json::array();
+  for (const FigureRun& run : paths.figure.runs) runs.push_back(json_of(paths, run));
+  const nlohmann::json all{{"number", paths.item.number},
+                           {"name", paths.item.name},
+                           {"quality", paths.quality()},
+                           {"title", paths.figure.title},
+                           {"shows", paths.figure.shows},
+                           {"claims", json_list(verdicts)},
+                           {"runs", runs},
+                           {"numbers", json_list(computed.numbers)},
+                           {"tables", json_list(computed.tables)},
+                           {"pictures", paths.options.pictures ? files_of(paths.figure.pictures, ".png") : nlohmann::json::array()},
+                           {"charts", files_of(paths.figure.charts, ".svg")},
+                           {"provenance", provenance()}};
+  std::filesystem::create_directories(paths.item_folder());
+  write_text_atomically(paths.item_folder() / "claims.json", all.dump(2) + "\n");
+}
+
+}  // namespace bake

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Items without a simulation: a function of its own, experiments/<item>/*.cpp, computes charts, tables and numbers.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/charts/chart.h"
+#include "experiments/make/figure_file.h"
+
+namespace bake {
+
+/// A number that claims refer to by its name.
+struct ComputedNumber {
+  std::string name;
+  std::string unit;
+  std::string meaning;
+  double value;
+};
+
+/// Cells as they are to be read, for terminal and page.
+struct ComputedTable {
+  std::string name;
+  std::string title;
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;  ///< each as long as the header
+};
+
+struct Computed {
+  std::vector<charts::Chart> charts;
+  std::vector<ComputedNumber> numbers;
+  std::vector<ComputedTable> tables;
+};
+
+/// An experiment's function.
+struct ComputedItem {
+  const char* experiment;
+  Computed (*compute)();
+};
+
+/// All of them. To add one, add a line in computed.cpp.
+const std::vector<ComputedItem>& computed_items();
+
+/// Of the experiment in that folder, or nullptr.
+const ComputedItem* find_computed(std::string_view experiment);
+
+/// The names that a figure.toml may use.
+ComputedNames names_of(const Computed& computed);
+
+/// In columns, for the terminal.
+std::string text_of(const ComputedTable& table);
+/// For programs: RFC 4180.
+std::string csv_of(const ComputedTable& table);
+std::string markdown_of(const ComputedTable& table);
+
+}  // namespace bake

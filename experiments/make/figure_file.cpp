@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/make/figure_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "solver/scene/nearest.h"
+#include "solver/scene/read_value.h"
+
+namespace bake {
+namespace {
+
+namespace fs = std::filesystem;
+
+template <class T>
+std::vector<std::string> names_in(const std::vector<T>& list) {
+  std::vector<std::string> names;
+  names.reserve(list.size());
+  for (const T& one : list) names.push_back(one.name);
+  return names;
+}
+
+std::vector<std::string> runs_and_surfaces(const Figure& figure) {
+  auto names = names_in(figure.runs);
+  for (const auto& name : names_in(figure.surfaces)) names.push_back(name);
+  return names;
+}
+
+/// Complains about a name that is not among the known.
+void check_known(const SceneEntry& entry, std::string_view key, const std::string& name, const char* what,
+                 const std::vector<std::string>& known) {
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    entry.complain_at(key,
+                      fmt::format("unknown {} '{}'; {}", what, quotable(name), known.empty() ? "there is none" : suggestion(name, known)));
+}
+
+/// Names become names of files.
+void check_name(const SceneEntry& entry, const std::string& name, const std::vector<std::string>& taken) {
+  if (name.empty() || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos)
+    entry.complain_at("name", fmt::format("found '{}', allowed: a-z, 0-9 and _", quotable(name)));
+  if (std::find(taken.begin(), taken.end(), name) != taken.end()) entry.complain_at("name", fmt::format("found '{}' again", name));
+}
+
+void check(const SceneEntry& entry, const FigureRun& run, const Figure& figure, const ComputedNames&) {
+  check_name(entry, run.name, runs_and_surfaces(figure));
+  if (!fs::is_regular_file(scene_file(figure, run)))
+    entry.complain_at("scene",
+                      fmt::format("found '{}', allowed: a scene ({} is not there)", quotable(run.scene), scene_file(figure, run).string()));
+}
+
+void check(const SceneEntry& entry, const FigureSurface& surface, const Figure& figure, const ComputedNames&) {
+  check_name(entry, surface.name, runs_and_surfaces(figure));
+  check_known(entry, "run", surface.run, "run", names_in(figure.runs));
+  if (!find_named(figure.runs, surface.run)->mesh)
+    entry.complain_at("run", fmt::format("found '{}', allowed: a run with mesh = true", surface.run));
+}
+
+void check(const SceneEntry& entry, const FigurePicture& picture, const Figure& figure, const ComputedNames&) {
+  check_name(entry, picture.name, names_in(figure.pictures));
+  if (!fs::is_regular_file(view_file(figure, picture)))
+    entry.complain_at(
+        "view", fmt::format("found '{}', allowed: a view ({} is not there)", quotable(picture.view), view_file(figure, picture).string()));
+  for (const std::string& name : picture.of) check_known(entry, "of", name, "run or surface", runs_and_surfaces(figure));
+}
+
+void check(const SceneEntry& entry, const FigureChart& chart, const Figure& figure, const ComputedNames& computed) {
+  check_name(entry, chart.name, names_in(figure.charts));
+  if (chart.column.empty() != chart.of.empty()) entry.complain_at("column", "allowed: column and `of` together, or a name alone");
+  if (chart.column.empty()) check_known(entry, "name", chart.name, "chart", computed.charts);
+  for (const std::string& name : chart.of) check_known(entry, "of", name, "run", names_in(figure.runs));
+}
+
+/// The metric can be measured of what it is to be measured of.
+void check(const SceneEntry& entry, const Claim& claim, const Figure& figure) {
+  auto names = claim.of;
+  if (!claim.greater_than.empty()) names.push_back(claim.greater_than);
+  for (const std::string& name : names) {
+    const char* key = name == claim.greater_than ? "greater_than" : "of";
+    check_known(entry, key, name, "run or surface", runs_and_surfaces(figure));
+    const bool is_run = find_named(figure.runs, name);
+    if (is_run == (find_metric(claim.metric).of_run != nullptr)) continue;
+    entry.complain_at(key, fmt::format("found '{}', a {}, allowed: a {}, of which {} is measured", name, is_run ? "run" : "surface",
+                                       is_run ? "surface" : "run", claim.metric));
+  }
+}
+
+template <class T>
+void read_tables(const SceneEntry& root, const char* key, std::vector<T> Figure::*member, Figure& figure, const ComputedNames& computed) {
+  for (const SceneEntry& entry : root.tables(key)) {
+    T one = read_table<T>(entry);
+    check(entry, one, figure, computed);
+    (figure.*member).push_back(std::move(one));
+  }
+}
+
+std::string required_text(const SceneEntry& root, const char* key) {
+  const auto entry = root.find(key);
+  if (!entry) root.refuse_missing(key, allowed<std::string>({}));
+  return read_text(*entry);
+}
+
+}  // namespace
+
+Figure read_figure(const fs::path& file, const ComputedNames& computed) {
+  const Document document{file.string(), file.parent_path()};
+  const toml::table table = parse_toml(read_text_file(file), document.name);
+  const SceneEntry root(document, table);
+  root.refuse_unknown({"title", "shows", "run", "surface", "picture", "chart", "claim"});
+  Figure figure;
+  figure.file = file;
+  figure.title = required_text(root, "title");
+  figure.shows = required_text(root, "shows");
+  read_tables(root, "run", &Figure::runs, figure, computed);
+  read_tables(root, "surface", &Figure::surfaces, figure, computed);
+  read_tables(root, "picture", &Figure::pictures, figure, computed);
+  read_tables(root, "chart", &Figure::charts, figure, computed);
+  for (const SceneEntry& entry : root.tables("claim")) {
+    figure.claims.push_back(read_claim(entry, computed.numbers));
+    check(entry, figure.claims.back(), figure);
+  }
+  if (figure.claims.empty()) root.refuse_missing("claim", "at least one: what is shown must be measured");
+  return figure;
+}
+
+fs::path scene_file(const Figure& figure, const FigureRun& run) {
+  const fs::path folder = figure.file.parent_path();
+  return (run.scene.find('/') == std::string::npos ? folder : folder.parent_path()) / (run.scene + ".toml");
+}
+
+fs::path view_file(const Figure& figure, const FigurePicture& picture) {
+  return figure.file.parent_path() / "views" / (picture.view + ".toml");
+}
+
+}  // namespace bake

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// experiments/<item>/figure.toml: how an item of the paper is made from runs, and what is claimed of them.
+#pragma once
+
+#include "analysis/claims/claim.h"
+#include "experiments/make/items.h"
+
+namespace bake {
+
+/// [[run]]: a scene that is simulated, into results/<name>-<quality>.
+struct FigureRun {
+  std::string name;
+  std::string scene;
+  std::vector<std::string> set;
+  bool mesh = false;
+  static constexpr auto parameters() {
+    return std::tuple{
+        Parameter{"name", &FigureRun::name, "", any_number, "what claims, surfaces, pictures and charts call it", Presence::required},
+        Parameter{"scene", &FigureRun::scene, "", any_number, "a scene of this folder, or <experiment>/<scene>", Presence::required},
+        Parameter{"set", &FigureRun::set, "", any_number, "overrides key=value, as for bake run --set"},
+        Parameter{"mesh", &FigureRun::mesh, "", any_number,
+                  "the particles of body 0 are the vertices of its mesh of tetrahedra (bake-mesh tets), kept as mesh.hdf beside the run"},
+    };
+  }
+};
+
+/// [[surface]]: the fracture surface of a run with a mesh (bake-mesh fracture).
+struct FigureSurface {
+  std::string name;
+  std::string run;
+  double reference_time_s = 0;
+  std::vector<double> times_s;
+  std::optional<double> stretch, smallest_gap_m;
+  static constexpr auto parameters() {
+    return std::tuple{
+        Parameter{"name", &FigureSurface::name, "", any_number, "what claims and pictures call it", Presence::required},
+        Parameter{"run", &FigureSurface::run, "", any_number, "the run, one with mesh = true", Presence::required},
+        Parameter{"reference_time_s", &FigureSurface::reference_time_s, "s", non_negative,
+                  "edges break when they are longer than `stretch` times their length at this time"},
+        Parameter{"times_s", &FigureSurface::times_s, "s", non_negative, "when; at the end unless given"},
+        Parameter{"stretch", &FigureSurface::stretch, "1", Range{1, k_infinity, true, true, "a number above 1"},
+                  "length over that of the reference at which an edge breaks; that of bake-mesh unless given"},
+        Parameter{"smallest_gap_m", &FigureSurface::smallest_gap_m, "m", non_negative,
+                  "an edge breaks only if it has also grown by so much; that of bake-mesh unless given"},
+    };
+  }
+};
+
+enum class PictureKind { picture, slice };
+constexpr auto choice_names(PictureKind) { return std::array{"picture", "slice"}; }
+
+/// [[picture]]: made by bake-render.
+struct FigurePicture {
+  std::string name;
+  std::string shows;
+  PictureKind kind = PictureKind::picture;
+  std::string view;
+  std::vector<std::string> of;
+  std::vector<double> times_s;
+  static constexpr auto parameters() {
+    return std::tuple{
+        Parameter{"name", &FigurePicture::name, "", any_number, "of its file", Presence::required},
+        Parameter{"shows", &FigurePicture::shows, "", any_number, "for those who cannot see it, and below it on the page",
+                  Presence::required},
+        Parameter{"kind", &FigurePicture::kind, "", any_number, "the command of bake-render"},
+        Parameter{"view", &FigurePicture::view, "", any_number, "views/<view>.toml of this folder: camera, light, labels",
+                  Presence::required},
+        Parameter{"of", &FigurePicture::of, "", any_number, "runs (their frames) and surfaces, in the order of the view's objects",
+                  Presence::required},
+        Parameter{"times_s", &FigurePicture::times_s, "s", non_negative, "when, each of them; at the end unless given"},
+    };
+  }
+};
+
+/// [[chart]]: a column of the ledger over time, or a chart that the item's own function gives (a name alone).
+struct FigureChart {
+  std::string name;
+  std::string shows;
+  std::string column;
+  std::vector<std::string> of;
+  static constexpr auto parameters() {
+    return std::tuple{
+        Parameter{"name", &FigureChart::name, "", any_number, "of its files", Presence::required},
+        Parameter{"shows", &FigureChart::shows, "", any_number, "for those who cannot see it, and below it on the page",
+                  Presence::required},
+        Parameter{"column", &FigureChart::column, "", any_number, "of the ledger, over time"},
+        Parameter{"of", &FigureChart::of, "", any_number, "the runs, a line each"},
+    };
+  }
+};
+
+struct Figure {
+  std::filesystem::path file;
+  std::string title;
+  std::string shows;  ///< what the paper claims
+  std::vector<FigureRun> runs;
+  std::vector<FigureSurface> surfaces;
+  std::vector<FigurePicture> pictures;
+  std::vector<FigureChart> charts;
+  std::vector<Claim> claims;
+};
+
+/// Names of what an item's own function gives (see experiments/make/computed.h).
+struct ComputedNames {
+  std::vector<std::string> charts, numbers;
+};
+
+/// Reads and checks the file: every name that refers to something finds it. Throws InputError with file, line, found and allowed.
+Figure read_figure(const std::filesystem::path& file, const ComputedNames& computed = {});
+
+/// The scene file of a run: experiments/<experiment>/<scene>.toml beside the figure's folder.
+std::filesystem::path scene_file(const Figure& figure, const FigureRun& run);
+/// The view file of a picture.
+std::filesystem::path view_file(const Figure& figure, const FigurePicture& picture);
+
+template <class T>
+const T* find_named(const std::vector<T>& list, std::string_view name) {
+  for (const T& one : list)
+    if (one.name == name) return &one;
+  return nullptr;
+}
+
+}  // namespace bake

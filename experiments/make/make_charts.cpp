@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "experiments/make/pipeline.h"
+#include "solver/io/atomic_file.h"
+
+namespace bake {
+namespace {
+
+/// "volume_m3": what it is, and its unit as charts write it.
+charts::Axis axis_of_column(const std::string& column) {
+  constexpr std::pair<const char*, const char*> k_units[] = {{"_m3", "m$^3$"}, {"_m2", "m$^2$"}, {"_m", "m"},     {"_s", "s"},
+                                                             {"_kg", "kg"},    {"_C", "°C"},     {"_mol", "mol"}, {"_J", "J"}};
+  std::string name = column;
+  std::string unit;
+  for (const auto& [suffix, written] : k_units)
+    if (unit.empty() && name.ends_with(suffix)) {
+      name.resize(name.size() - std::string_view(suffix).size());
+      unit = written;
+    }
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return {name, unit};
+}
+
+std::string words_of(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+charts::Chart ledger_chart(const FigurePaths& paths, const FigureChart& chart) {
+  charts::Panel panel{"", {"time", "s"}, axis_of_column(chart.column)};
+  for (const std::string& name : chart.of) {
+    const Results run(paths.run(name));
+    panel.series.push_back({words_of(name), charts::Kind::line, run.column("time_s"), run.column(chart.column)});
+  }
+  panel.legend = panel.series.size() > 1 ? charts::Legend::right : charts::Legend::none;
+  return {chart.name, chart.shows, {panel}, 1, 4.4, 2.8};
+}
+
+}  // namespace
+
+void make_charts(const FigurePaths& paths, const Computed& computed) {
+  for (const FigureChart& chart : paths.figure.charts) {
+    say(paths.options, fmt::format("chart {}", chart.name));
+    charts::write_chart(chart.column.empty() ? *find_named(computed.charts, chart.name) : ledger_chart(paths, chart), paths.item_folder());
+  }
+}
+
+void write_tables(const FigurePaths& paths, const Computed& computed) {
+  std::filesystem::create_directories(paths.item_folder());
+  for (const ComputedTable& table : computed.tables) {
+    write_text_atomically(paths.item_folder() / (table.name + ".csv"), csv_of(table));
+    write_text_atomically(paths.item_folder() / (table.name + ".md"), markdown_of(table));
+  }
+}
+
+}  // namespace bake

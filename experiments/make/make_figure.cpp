@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/make/make_figure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "experiments/make/pipeline.h"
+#include "experiments/make/programs.h"
+
+namespace bake {
+
+void say(const MakeOptions& options, const std::string& line) {
+  if (!options.quiet) fmt::print(stderr, "{}\n", line);
+}
+
+bool MadeFigure::holds() const {
+  return std::all_of(verdicts.begin(), verdicts.end(), [](const ClaimVerdict& v) { return v.holds; });
+}
+
+namespace {
+
+Computed compute(const Item& item) {
+  const ComputedItem* own = find_computed(item.experiment);
+  return own ? own->compute() : Computed{};
+}
+
+}  // namespace
+
+ReadFigure read_figure(const Items& items, const Item& item) {
+  if (item.status != ItemStatus::done)
+    throw InputError(
+        fmt::format("{} ({}): {}, allowed: an item that is done (bake list figures)", item.number, item.name, word_of(item.status)));
+  Computed computed = compute(item);
+  return {read_figure(items.figure_file_of(item), names_of(computed)), std::move(computed)};
+}
+
+namespace {
+
+/// Before hours of simulation.
+void check_programs(const FigurePaths& paths) {
+  const auto& runs = paths.figure.runs;
+  if (std::any_of(runs.begin(), runs.end(), [](const FigureRun& run) { return run.mesh; })) find_program("bake-mesh");
+  if (paths.options.pictures && paths.options.only_run.empty() && !paths.figure.pictures.empty()) find_program("bake-render");
+}
+
+}  // namespace
+
+MadeFigure make_figure(const Items& items, const Item& item, const MakeOptions& options) {
+  auto [figure, computed] = read_figure(items, item);
+  const FigurePaths paths{item, figure, options};
+  check_programs(paths);
+  make_runs(paths);
+  if (!options.only_run.empty()) return {{}, {}, paths.run(options.only_run)};
+  if (!figure.runs.empty()) computed = compute(item);  // it may be about its runs
+  make_surfaces(paths);
+  if (options.pictures) make_pictures(paths);
+  make_charts(paths, computed);
+  write_tables(paths, computed);
+  const auto verdicts = check_claims(paths, computed);
+  write_claims(paths, computed, verdicts);
+  return {verdicts, computed.tables, paths.item_folder()};
+}
+
+}  // namespace bake

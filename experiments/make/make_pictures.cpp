@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "experiments/make/pipeline.h"
+#include "experiments/make/programs.h"
+#include "experiments/make/up_to_date.h"
+
+namespace bake {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a picture shows: a frame of a run, or the surface at that frame.
+struct Input {
+  fs::path file;
+  fs::path results;  ///< of the run; bake-render reads its history
+};
+
+Input input_of(const FigurePaths& paths, const std::string& name, std::optional<double> time_s) {
+  const FigureSurface* surface = find_named(paths.figure.surfaces, name);
+  const fs::path run = paths.run(surface ? surface->run : name);
+  const std::string frame = frame_name(Results(run).frame_at(time_s));
+  return {(surface ? paths.surface(name) : run / "frames") / frame, run};
+}
+
+std::vector<Input> inputs_of(const FigurePaths& paths, const FigurePicture& picture) {
+  std::vector<std::optional<double>> times(picture.times_s.begin(), picture.times_s.end());
+  if (times.empty()) times.push_back(std::nullopt);
+  std::vector<Input> inputs;
+  for (const std::string& name : picture.of)
+    for (const auto& time : times) inputs.push_back(input_of(paths, name, time));
+  return inputs;
+}
+
+std::vector<std::string> render_arguments(const FigurePaths& paths, const FigurePicture& picture, const std::vector<Input>& inputs,
+                                          const fs::path& out) {
+  std::vector<std::string> words{word_of(picture.kind), view_file(paths.figure, picture).string()};
+  for (const Input& input : inputs) words.push_back(input.file.string());
+  words.insert(words.end(), {"--out", out.string()});
+  for (const Input& input : inputs) words.insert(words.end(), {"--results", input.results.string()});
+  if (!paths.options.size.empty()) words.insert(words.end(), {"--size", paths.options.size});
+  if (paths.options.samples > 0) words.insert(words.end(), {"--samples", std::to_string(paths.options.samples)});
+  return words;
+}
+
+void make_picture(const FigurePaths& paths, const FigurePicture& picture) {
+  const fs::path made = paths.item_folder() / (picture.name + ".png");
+  const std::vector<Input> inputs = inputs_of(paths, picture);
+  auto words = render_arguments(paths, picture, inputs, made);
+  nlohmann::json from{words, stamp(view_file(paths.figure, picture)), stamp(find_program("bake-render"))};
+  for (const Input& input : inputs) from.push_back(stamp(input.file));
+  if (is_up_to_date(made, from)) return;
+  say(paths.options, fmt::format("picture {}", picture.name));
+  if (paths.options.threads > 0) words.insert(words.end(), {"--threads", std::to_string(paths.options.threads)});  // same picture
+  call_program("bake-render", words, paths.item_folder() / (picture.name + ".log"));
+  record_sources(made, from);
+}
+
+}  // namespace
+
+void make_pictures(const FigurePaths& paths) {
+  for (const FigurePicture& picture : paths.figure.pictures) make_picture(paths, picture);
+}
+
+}  // namespace bake

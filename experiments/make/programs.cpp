@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/make/programs.h"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <fstream>
+
+#include "solver/core/errors.h"
+#include "solver/io/child.h"
+
+namespace bake {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The last line that says something, without what the terminal was told to do before it.
+std::string last_line(const fs::path& file) {
+  std::ifstream in(file);
+  std::string line, last;
+  while (std::getline(in, line)) {
+    if (const auto redraw = line.rfind('\r'); redraw != std::string::npos && redraw + 1 < line.size()) line.erase(0, redraw + 1);
+    if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
+  }
+  return last;
+}
+
+}  // namespace
+
+fs::path find_program(const std::string& name) {
+  std::error_code ignored;
+  fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path() / name;
+  if (!fs::exists(program, ignored))
+    throw InputError(
+        fmt::format("{}: found no such program beside bake, allowed: one built by ./bake figure (cmake -D BAKE_FIGURES=ON)", name));
+  return program;
+}
+
+void call_program(const std::string& name, const std::vector<std::string>& arguments, const fs::path& log) {
+  const fs::path program = find_program(name);
+  fs::create_directories(log.parent_path());
+  std::vector<std::string> words = arguments;
+  words.insert(words.begin(), program.string());
+  const auto [start_error, code] = run_child(std::move(words), log);
+  if (start_error != 0) throw InputError(fmt::format("{}: cannot be started: {}", program.string(), std::strerror(start_error)));
+  if (code == 0) return;
+  std::string line = last_line(log);
+  for (const auto& own : {name + ": ", std::string("bake: ")})  // its own name is in front of ours anyway
+    if (line.starts_with(own)) line.erase(0, own.size());
+  if (code == 2) throw InputError(fmt::format("{}: {}", name, line));
+  throw RunError(fmt::format("{}: exit {}: {} (log: {})", name, code, line.empty() ? "it says nothing" : line, log.string()));
+}
+
+}  // namespace bake

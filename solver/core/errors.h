@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The three ways in which a program of Bake fails. Each is one line for people; the exit codes follow from them.
+#pragma once
+
+#include <stdexcept>
+
+namespace bake {
+
+/// A mistake of the user: wrong file, key, value or option. `what()` is one line: file:line: key: found, allowed.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A file could not be written. `what()` is one line: file: what failed: the system's reason.
+class OutputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The run cannot go on: names particle, quantity and step where it can. What was written before is kept.
+class RunError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace bake

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+namespace bake {
+
+/// The B-spline that joins particles and nodes.
+enum class KernelOrder { quadratic, cubic };
+constexpr auto choice_names(KernelOrder) { return std::array{"quadratic", "cubic"}; }
+
+}  // namespace bake

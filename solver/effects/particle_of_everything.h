@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// W particles that have every field there is, outside any model: to call an effect's functions one by one.
+#pragma once
+
+#include "solver/core/lanes.h"
+#include "solver/effects/fields.h"
+
+namespace bake {
+
+template <class Scalar>
+struct ParticleOfEverything {
+  using Real = Scalar;
+  using V = Lanes<Real>;
+  using Fields = FieldList<field::Position, field::InitialVolume, field::SolidMass, field::Velocity, field::AffineVelocity,
+                           field::VolumeRatio, field::KirchhoffStress, field::ElasticStrain, field::HenckyStrain, field::PlasticVolumeRatio,
+                           field::Temperature, field::PeakTemperature, field::WaterMass, field::ProducedGas, field::Leavener>;
+  template <class F>
+  static constexpr bool has = true;
+
+  V numbers[Fields::width] = {};
+  V stiffness{};
+
+  template <class F>
+  auto& operator[](F) {
+    V* at = numbers + Fields::template offset<F>;
+    if constexpr (F::width == 1)
+      return *at;
+    else
+      return *reinterpret_cast<V(*)[F::width]>(at);
+  }
+  V mass() { return (*this)[field::m_s] + (*this)[field::m_w]; }
+  V volume() { return (*this)[field::V_0] * (*this)[field::J]; }
+  V temperature() { return (*this)[field::theta]; }
+  V peak_temperature() { return (*this)[field::theta_peak]; }
+};
+
+}  // namespace bake

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// The transfers of one block of particles: gather, physics, scatter.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "solver/engine/contacts.h"
+#include "solver/engine/physics.h"
+#include "solver/grid/grid.h"
+#include "solver/grid/scatter.h"
+
+namespace bake {
+
+/// What a particle would have scattered, had it stayed near its block: done later, serially, in block order.
+template <class Real>
+struct Migrant {
+  std::int32_t home;  ///< index of its home block
+  std::int32_t tile, lane;
+  bool retired;            ///< left through an open face
+  bool broken;             ///< a number of its state is not finite
+  std::vector<Real> rows;  ///< values and coefficients of the node offsets about the particle, four rows
+};
+
+/// Everything a block needs of the rest of the world.
+template <class Real>
+struct BlockWork {
+  ParticleStore<Real>* store = nullptr;
+  const Physics<Real>* physics = nullptr;
+  const Real* gathered = nullptr;  ///< grid that is read: rows of gathered_row() numbers
+  Real* scattered = nullptr;       ///< grid that is added to: rows of scattered_row() numbers
+  Step<Real> step;
+  Real* velocity = nullptr;  ///< if not null: [tile][3][W]
+  const Contacts* contacts = nullptr;
+  Real origin[3];                  ///< of the grid [m]
+  Real low_face[3], high_face[3];  ///< domain, in node distances from the grid's first node
+  bool open_low[3] = {}, open_high[3] = {};
+};
+
+/// Columns of blocks along z, each a range of home blocks.
+using BlockColumns = std::vector<std::pair<std::int32_t, std::int32_t>>;
+
+/// Per-block output.
+template <class Real>
+struct BlockResult {
+  Budget booked{};
+  Totals totals{}, retired{};
+  double speed2 = 0, wave2 = 0, heat = 0, water = 0, deformation2 = 0;
+  double temperature_low = 1e30, temperature_high = -1e30;
+  std::int64_t clamped = 0;
+  std::vector<Migrant<Real>> migrants;
+};
+
+/// Folds lanes into sums and maxima, in a fixed order.
+template <class Real>
+void collect(const Report<Real>& report, BlockResult<Real>& result) {
+  for (int e = 0; e < k_entries; ++e) result.booked[static_cast<std::size_t>(e)] = sum_lanes(report.booked[e]);
+  result.totals = report.totals;
+  result.retired = report.retired;
+  result.speed2 = static_cast<double>(largest_lane(report.extremes.speed2));
+  result.wave2 = static_cast<double>(largest_lane(report.extremes.wave2));
+  result.heat = static_cast<double>(largest_lane(report.extremes.heat));
+  result.water = static_cast<double>(largest_lane(report.extremes.water));
+  result.deformation2 = static_cast<double>(largest_lane(report.extremes.deformation2));
+  result.temperature_low = static_cast<double>(smallest_lane(report.temperature_low));
+  result.temperature_high = static_cast<double>(largest_lane(report.temperature_high));
+}
+
+/// Scratch memory of one thread.
+template <class Real>
+struct Scratch {
+  AlignedBuffer<Real> gather_tile, scatter_tile;
+};
+
+template <class Real>
+class BlockKernel {
+ public:
+  virtual ~BlockKernel() = default;
+  virtual int scattered_row() const = 0;  ///< numbers per node of the grid that is added to
+  virtual int gathered_row() const = 0;   ///< numbers per node of the grid that is read
+  /// Gather, physics and scatter of all particles of home block `index`.
+  virtual void advance(const BlockWork<Real>&, int index, Scratch<Real>&, BlockResult<Real>&, bool totals) const = 0;
+  /// The values and node coefficients of W particles at `x` (block-relative, in node distances), turned into one row set each:
+  /// `rows` receives W times 4 * scattered_row() numbers.
+  virtual void to_rows(const Physics<Real>&, const Lanes<Real> (&x)[3], Lanes<Real>* scattered, Real* rows) const = 0;
+  /// Adds one particle's rows to the grid around home block `index`: new particles, and those that left their block.
+  virtual void scatter_rows(const BlockWork<Real>&, int index, const Real (&x)[3], const Real* rows) const = 0;
+  /// Takes W nodes' scattered rows: channels as lanes, up to scattered_row() of them. The rows are left zero.
+  virtual void take_nodes(Real* rows, Lanes<Real>* channels) const = 0;
+  /// Writes W nodes' gathered rows from gathered_row() channels.
+  virtual void put_nodes(const Lanes<Real>* channels, Real* rows) const = 0;
+  /// Conduction of a nodal temperature (row channel 0 of `gathered`): adds to channel 0 of `scattered`
+  /// sum_p kappa V D^-1 w r . grad theta (backward Euler's operator).
+  virtual void conduct(const BlockWork<Real>&, int index, Scratch<Real>&) const = 0;
+};
+
+/// The kernel of an order, with rows wide enough for the physics.
+template <class Real>
+std::unique_ptr<BlockKernel<Real>> make_block_kernel(KernelOrder order, const Physics<Real>& physics);
+
+}  // namespace bake

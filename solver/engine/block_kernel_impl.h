@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: MIT
+// How one block's transfers are done fast.
+//
+// A block's 8x8x8 nodes (-1..6 of the block) are copied into a tile in the first-level cache, particles are taken W at a
+// time, and what they scatter is summed in a second tile that is added to the grid at the end. Particles may drift one
+// node distance out of their block and still find their stencil in the tile.
+//
+// A core makes two multiply-adds, two sums, two loads and one store a cycle: products are shared, sums replace multiply-adds, and
+// stores are few.
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+
+#include "solver/core/rows.h"
+#include "solver/engine/block_kernel.h"
+#include "solver/grid/gather.h"
+#include "solver/grid/scatter.h"
+
+namespace bake {
+
+template <class Real, KernelOrder order, int RS, int RG>
+class BlockKernelOf final : public BlockKernel<Real> {
+  using V = Lanes<Real>;
+  using S = Stencil<Real, order>;
+  static constexpr int W = k_width<Real>;
+  static constexpr int N = Kernel<order>::support;
+  using FromTile = Gather<Real, order, RG>;
+  using ToTile = Scatter<Real, order, RS>;
+
+  /// 0, 1, 2, ...
+  static inline const V k_lane_numbers = [] {
+    V v{};
+    for (int l = 0; l < W; ++l) v[l] = static_cast<Real>(l);
+    return v;
+  }();
+
+ public:
+  int scattered_row() const override { return RS; }
+  int gathered_row() const override { return RG; }
+
+  void advance(const BlockWork<Real>& work, int index, Scratch<Real>& scratch, BlockResult<Real>& result, bool totals) const override {
+    HomeBlock& block = work.store->blocks[static_cast<std::size_t>(index)];
+    result = {};
+    prepare(scratch);
+    load_tile(work.gathered, block, scratch.gather_tile.data());
+    const HomeBlock* above = block_above(*work.store, index);
+    Report<Real> report;
+    report.totals_wanted = totals;
+    if (work.contacts->expels_near(block.at, 2 * static_cast<double>(work.step.dx))) report.obstacles = work.contacts;
+    const int corner[3] = {4 * block.at.x, 4 * block.at.y, 4 * block.at.z};
+    for (int d = 0; d < 3; ++d) {
+      report.origin[d] = work.origin[d] + work.step.dx * Real(corner[d]);
+      if (work.open_low[d]) report.open_low[d] = lanes<Real>(work.low_face[d] - Real(corner[d]));
+      if (work.open_high[d]) report.open_high[d] = lanes<Real>(work.high_face[d] - Real(corner[d]));
+    }
+    alignas(64) V gathered[4 * RG], scattered[4 * RS] = {};
+    Touched touched;
+    for (int t = block.first_tile; t < block.first_tile + block.tiles; ++t) {
+      const auto at = static_cast<std::size_t>(t);
+      const int count = work.store->tiles[at].count;
+      if (above) prefetch_part(work, *above, t - block.first_tile, block.tiles);
+      report.alive = k_lane_numbers < lanes<Real>(static_cast<Real>(count)) ? lanes<Real>(1) : V{};
+      V* columns = work.store->tile(at);
+      for (int c = 0; c < work.store->columns; ++c) __builtin_prefetch(columns + work.store->columns + c, 1);
+      V x[3];
+      load_position(columns, x);
+      FromTile::particles(scratch.gather_tile.data(), S(x), 1 / work.step.dx, gathered);
+      V* velocity = work.velocity ? reinterpret_cast<V*>(work.velocity) + at * 3 : nullptr;
+      work.physics->advance(columns, work.store->tiles[at].material, gathered, RG, scattered, RS, velocity, work.step, report);
+
+      load_position(columns, x);
+      const LaneMask<Real> gone = report.leaving(x);
+      if (block.at_face) hold_inside(work, corner, x, columns, count, result);
+      const S stencil(x);
+      const LaneMask<Real> broken = not_finite(columns, work.physics->column_count);
+      const LaneMask<Real> outside = stencil.outside() | gone | broken;
+      touched.add(stencil, outside);
+      alignas(64) Real rows[W * 4 * RS];
+      ToTile::coefficients_to_rows(stencil, scattered, work.physics->moment_channels, rows);
+      ToTile::particles(stencil, rows, outside, count, scratch.scatter_tile.data());
+      if (__builtin_expect(any(outside), 0))
+        for (int l = 0; l < count; ++l)
+          if (outside[l])
+            result.migrants.push_back(
+                {index, t, l, gone[l] != 0, broken[l] != 0, std::vector<Real>(rows + l * 4 * RS, rows + (l + 1) * 4 * RS)});
+    }
+    touched.write(block);
+    flush(work.scattered, block, scratch.scatter_tile.data());
+    collect(report, result);
+  }
+
+  void to_rows(const Physics<Real>& physics, const V (&x)[3], V* scattered, Real* rows) const override {
+    ToTile::coefficients_to_rows(S(x), scattered, physics.moment_channels, rows);
+  }
+
+  void scatter_rows(const BlockWork<Real>& work, int index, const Real (&x)[3], const Real* rows) const override {
+    const HomeBlock& block = work.store->blocks[static_cast<std::size_t>(index)];
+    const V lanes_x[3] = {lanes<Real>(x[0]), lanes<Real>(x[1]), lanes<Real>(x[2])};
+    const S s(lanes_x);
+    for (int j = 0; j < N; ++j)
+      for (int k = 0; k < N; ++k)
+        for (int l = 0; l < N; ++l) {
+          const int at[3] = {static_cast<int>(s.base[0][0]) + j, static_cast<int>(s.base[1][0]) + k, static_cast<int>(s.base[2][0]) + l};
+          const Real w = s.weight[0][j][0] * s.weight[1][k][0] * s.weight[2][l][0];
+          Real* node = work.scattered + grid_row(block, at[0], at[1], at[2]) * RS;
+          for (int c = 0; c < RS; ++c)
+            node[c] += w * (rows[c] + Real(j - 1) * rows[RS + c] + Real(k - 1) * rows[2 * RS + c] + Real(l - 1) * rows[3 * RS + c]);
+        }
+  }
+
+  void take_nodes(Real* rows, V* channels) const override {
+    rows_to_lanes<RS>(rows, channels);
+    for (int l = 0; l < W; ++l) Row<Real, RS>::zero().store(rows + l * RS);
+  }
+  void put_nodes(const V* channels, Real* rows) const override { lanes_to_rows<RG>(channels, rows); }
+
+  void conduct(const BlockWork<Real>& work, int index, Scratch<Real>& scratch) const override {
+    HomeBlock& block = work.store->blocks[static_cast<std::size_t>(index)];
+    prepare(scratch);
+    load_tile(work.gathered, block, scratch.gather_tile.data());
+    for (int t = block.first_tile; t < block.first_tile + block.tiles; ++t) {
+      const auto at = static_cast<std::size_t>(t);
+      V x[3];
+      load_position(work.store->tile(at), x);
+      const S stencil(x);
+      alignas(64) V gathered[4 * RG], scattered[4 * RS] = {};
+      FromTile::particles(scratch.gather_tile.data(), stencil, 1 / work.step.dx, gathered);
+      const V kappa_V = work.physics->conductance(work.store->tile(at), work.store->tiles[at].material);
+      for (int axis = 0; axis < 3; ++axis)
+        scattered[(1 + axis) * RS] = kappa_V * (work.step.inverse_d * work.step.dx) * gathered[(1 + axis) * RG];
+      alignas(64) Real rows[W * 4 * RS];
+      ToTile::coefficients_to_rows(stencil, scattered, 1, rows);
+      ToTile::particles(stencil, rows, LaneMask<Real>{}, work.store->tiles[at].count, scratch.scatter_tile.data());
+    }
+    flush(work.scattered, block, scratch.scatter_tile.data());
+  }
+
+ private:
+  static void prepare(Scratch<Real>& scratch) {
+    if (scratch.gather_tile.size() < k_tile_nodes * FromTile::k_row) scratch.gather_tile.resize_and_forget(k_tile_nodes * FromTile::k_row);
+    if (scratch.scatter_tile.size() < k_tile_nodes * RS) scratch.scatter_tile.resize_and_forget(k_tile_nodes * RS);
+  }
+
+  BAKE_INLINE static void load_position(const V* columns, V (&x)[3]) {
+    for (int d = 0; d < 3; ++d) x[d] = columns[k_position_column + d];
+  }
+
+  /// Row number of a block's node, coordinates -4..7 around the block.
+  static std::size_t grid_row(const HomeBlock& block, int x, int y, int z) {
+    x += 4, y += 4, z += 4;
+    const int slot = block.neighbour[(x >> 2) * 9 + (y >> 2) * 3 + (z >> 2)];
+    return static_cast<std::size_t>(slot) * k_block_nodes + node_in_block(x & 3, y & 3, z & 3);
+  }
+
+  /// Calls visit(tile row, grid row, count) for runs of nodes along z in the touched range of a block.
+  template <class Visit>
+  BAKE_INLINE static void for_each_run(const HomeBlock& block, Visit visit) {
+    for (int x = block.low[0]; x <= block.high[0]; ++x)
+      for (int y = block.low[1]; y <= block.high[1]; ++y) {
+        const std::size_t tile_row = static_cast<std::size_t>(x * k_tile_plane + y * k_tile_side);
+        const auto grid = [&](int z) { return grid_row(block, x - 1, y - 1, z - 1); };
+        if (block.low[2] == 0) visit(tile_row, grid(0), 1);
+        visit(tile_row + 1, grid(1), 4);
+        if (block.high[2] > 4) visit(tile_row + 5, grid(5), block.high[2] - 4);
+      }
+  }
+
+  /// The home block one step up the column (+z), if particles live there.
+  static const HomeBlock* block_above(const ParticleStore<Real>& store, int index) {
+    const auto next = static_cast<std::size_t>(index) + 1;
+    if (next >= store.blocks.size()) return nullptr;
+    const BlockIndex &at = store.blocks[next - 1].at, &other = store.blocks[next].at;
+    return other == BlockIndex{at.x, at.y, at.z + 1} ? &store.blocks[next] : nullptr;
+  }
+
+  /// Asks for a part of the grid rows that the block above will read and add to, while there is other work: those of the upper half of
+  /// its nodes and beyond, since this block has touched the others.
+  /// Inlined by force: GCC takes a function that only prefetches for one without effect, and drops its calls.
+  BAKE_INLINE static void prefetch_part(const BlockWork<Real>& work, const HomeBlock& above, int part, int parts) {
+    for (int x = k_tile_side * part / parts; x < k_tile_side * (part + 1) / parts; ++x) {
+      if (x < above.low[0] || x > above.high[0]) continue;
+      for (int y = above.low[1]; y <= above.high[1]; ++y)
+        for (const int z : {2, 4}) {
+          const std::size_t row = grid_row(above, x - 1, y - 1, z);
+          prefetch_rows(work.scattered + row * RS, 2 * RS);
+          prefetch_rows(work.gathered + row * RG, 2 * RG);
+        }
+    }
+  }
+
+  static void load_tile(const Real* grid, const HomeBlock& block, Real* tile) {
+    for_each_run(block, [&](std::size_t tile_row, std::size_t grid_row, int count) {
+      for (int i = 0; i < count; ++i) FromTile::load(grid + (grid_row + i) * RG, tile + (tile_row + i) * FromTile::k_row);
+    });
+  }
+
+  /// Adds the tile to the grid and clears it.
+  static void flush(Real* grid, const HomeBlock& block, Real* tile) {
+    using R = Row<Real, RS>;
+    for_each_run(block, [&](std::size_t tile_row, std::size_t grid_row, int count) {
+      for (int i = 0; i < count; ++i) {
+        R sum = R::load(grid + (grid_row + i) * RS);
+        sum.add(R::load(tile + (tile_row + i) * RS), 1);
+        sum.store(grid + (grid_row + i) * RS);
+        R::zero().store(tile + (tile_row + i) * RS);
+      }
+    });
+  }
+
+  /// Lanes with a number in their state that is not finite. Several sums, since one would wait for itself.
+  BAKE_INLINE static LaneMask<Real> not_finite(const V* columns, int count) {
+    static_assert(k_position_column == 0 && k_identity_column == 3);
+    V health[4] = {columns[0] * 0, columns[1] * 0, columns[2] * 0, V{}};
+    int c = 4;
+    for (; c + 4 <= count; c += 4)
+      for (int i = 0; i < 4; ++i) health[i] += columns[c + i] * 0;
+    for (; c < count; ++c) health[0] += columns[c] * 0;
+    return (health[0] + health[1]) + (health[2] + health[3]) != V{};
+  }
+
+  /// The part of the tile that particles touched.
+  struct Touched {
+    V low[3], high[3];
+    Touched() {
+      for (int d = 0; d < 3; ++d) {
+        low[d] = lanes<Real>(Kernel<order>::highest_base);
+        high[d] = lanes<Real>(Kernel<order>::lowest_base);
+      }
+    }
+    BAKE_INLINE void add(const S& stencil, LaneMask<Real> outside) {
+      for (int d = 0; d < 3; ++d) {
+        low[d] = min(low[d], outside ? low[d] : stencil.base[d]);
+        high[d] = max(high[d], outside ? high[d] : stencil.base[d]);
+      }
+    }
+    void write(HomeBlock& block) const {
+      for (int d = 0; d < 3; ++d) {
+        const int first = static_cast<int>(smallest_lane(low[d])) + 1, last = static_cast<int>(largest_lane(high[d])) + N;
+        block.low[d] = static_cast<std::int8_t>(first);
+        block.high[d] = static_cast<std::int8_t>(last);
+      }
+    }
+  };
+
+  /// Particles never leave the domain unseen: at a closed face they are held and counted, at an open one they retire.
+  static void hold_inside(const BlockWork<Real>& work, const int (&corner)[3], V (&x)[3], V* columns, int count,
+                          BlockResult<Real>& result) {
+    for (int d = 0; d < 3; ++d) {
+      const V low = lanes<Real>(work.low_face[d] - Real(corner[d])), high = lanes<Real>(work.high_face[d] - Real(corner[d]));
+      const LaneMask<Real> below = x[d]<low, above = x[d]> high;
+      for (int l = 0; l < count; ++l) result.clamped += (below[l] && !work.open_low[d]) || (above[l] && !work.open_high[d]);
+      x[d] = below ? low : above ? high : x[d];
+      columns[k_position_column + d] = x[d];
+    }
+  }
+};
+
+}  // namespace bake

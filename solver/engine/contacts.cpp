@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "solver/engine/contacts.h"
+
+#include <algorithm>
+
+#include "solver/core/vector3.h"
+#include "solver/scene/scene.h"
+
+namespace bake {
+
+namespace {
+
+/// Velocity of dough that touches a surface with outward normal `n`, relative to the surface. Coulomb: friction takes as much
+/// tangential speed as `friction` times the normal speed that the surface takes.
+Vector3 contact(Vector3 relative, const Vector3& n, bool sticky, bool separating, double friction) {
+  if (sticky) return {0, 0, 0};
+  const double normal_speed = dot(relative, n);
+  if (separating && normal_speed >= 0) return relative;
+  Vector3 tangential = relative - normal_speed * n;
+  const double speed = length(tangential);
+  const double kept = speed > 0 ? std::max(0.0, 1 + friction * std::min(normal_speed, 0.0) / speed) : 0;
+  return kept * tangential;
+}
+
+}  // namespace
+
+Contacts::Contacts(const Scene& scene, const GridGeometry& geometry) : face_friction_(scene.domain.friction), geometry_(geometry) {
+  for (const Collider& c : scene.colliders) {
+    const Rule rule = c.contact == Contact::sticky ? Rule::sticky : c.contact == Contact::slip ? Rule::slip : Rule::separating;
+    const RigidPath path(c.motion, c.pivot_m);
+    all_.push_back({{c.shape, path, c.from_s, c.until_s},
+                    rule,
+                    c.friction,
+                    c.expels,
+                    c.temperature_C,
+                    c.exchange_W_per_m2K,
+                    path.moves() ? path.largest_speed(c.shape->bounds()) : 0});
+  }
+  for (const Grip& g : scene.grips) {
+    const RigidPath path(g.motion, g.pivot_m);
+    all_.push_back({{g.shape, path, g.from_s, g.until_s},
+                    Rule::grip,
+                    0,
+                    false,
+                    g.temperature_C,
+                    0,
+                    path.moves() ? path.largest_speed(g.shape->bounds()) : 0});
+    holds_temperatures_ |= g.temperature_C.has_value();
+  }
+  const Face faces[6] = {scene.domain.x_min, scene.domain.x_max, scene.domain.y_min,
+                         scene.domain.y_max, scene.domain.z_min, scene.domain.z_max};
+  for (int i = 0; i < 6; ++i) {
+    if (faces[i] == Face::open) continue;
+    const int axis = i / 2;
+    const double at = geometry.origin({0, 0, 0})[static_cast<std::size_t>(axis)] +
+                      (i % 2 ? geometry.high_face(axis) : geometry.low_face()) * geometry.dx();
+    const Rule rule = faces[i] == Face::sticky ? Rule::sticky : faces[i] == Face::slip ? Rule::slip : Rule::separating;
+    faces_.push_back({axis, i % 2 ? -1.0 : 1.0, at, rule});
+  }
+}
+
+void Contacts::prepare(double time) {
+  present_.clear();
+  largest_speed_ = 0;
+  expels_ = false;
+  for (const Contacting& c : all_) {
+    if (!c.scripted.present(time)) continue;
+    const RigidState pose = c.scripted.path.at(time);
+    present_.push_back({&c, pose, c.scripted.bounds(pose), c.temperature ? (*c.temperature)(time) : 0});
+    largest_speed_ = std::max(largest_speed_, c.speed);
+    expels_ |= c.expels;
+  }
+}
+
+bool Contacts::near(const BlockIndex& block, double reach) const {
+  const Point low = geometry_.origin(block);
+  const double side = 3 * geometry_.dx();
+  for (const DomainFace& f : faces_) {  // as touching as for the block's nodes: the face may go through its last ones
+    const double a = low[static_cast<std::size_t>(f.axis)];
+    if (f.sign > 0 ? a <= f.at + touching() : a + side >= f.at - touching()) return true;
+  }
+  reach += touching();
+  return std::any_of(present_.begin(), present_.end(), [&](const Present& p) { return reaches(p, block, reach); });
+}
+
+bool Contacts::expels_near(const BlockIndex& block, double reach) const {
+  return expels_ && std::any_of(present_.begin(), present_.end(),
+                                [&](const Present& p) { return p.contact->expels && reaches(p, block, reach + touching()); });
+}
+
+bool Contacts::reaches(const Present& p, const BlockIndex& block, double reach) const {
+  const Point low = geometry_.origin(block);
+  const double side = 3 * geometry_.dx();
+  for (std::size_t d = 0; d < 3; ++d)
+    if (low[d] > p.bounds.high[d] + reach || low[d] + side < p.bounds.low[d] - reach) return false;
+  const Point middle = low + Vector3{side / 2, side / 2, side / 2};
+  return p.contact->scripted.distance(p.pose, middle) <= 0.87 * side + reach;
+}
+
+bool Contacts::reaches(const Present& p, const Point& x, double reach) {
+  for (std::size_t d = 0; d < 3; ++d)  // first what costs little
+    if (x[d] > p.bounds.high[d] + reach || x[d] < p.bounds.low[d] - reach) return false;
+  return p.contact->scripted.distance(p.pose, x) <= reach;
+}
+
+Vector3 Contacts::velocity_beside(const Present& p, const Point& x, const Vector3& v) const {
+  const Vector3 wall = p.pose.velocity_at(x);
+  const Rule rule = p.contact->rule;
+  if (rule == Rule::sticky || rule == Rule::grip) return wall;
+  const bool separating = rule == Rule::separating;
+  return wall + contact(v - wall, p.contact->scripted.normal(p.pose, x), false, separating, separating ? p.contact->friction : 0);
+}
+
+bool Contacts::push_out(Point& x, Vector3& v) const {
+  bool inside = false;
+  for (const Present& p : present_) {
+    if (!p.contact->expels) continue;
+    const double distance = p.contact->scripted.distance(p.pose, x);
+    if (distance >= 0) continue;
+    inside = true;
+    v = velocity_beside(p, x, v);
+    // at most one node distance, so that it does not leave the block's reach in one step
+    x = x + std::min(-distance, geometry_.dx()) * p.contact->scripted.normal(p.pose, x);
+  }
+  return inside;
+}
+
+Vector3 Contacts::velocity_after(const Point& x, Vector3 v) const {
+  for (const Present& p : present_)
+    if (reaches(p, x, touching())) v = velocity_beside(p, x, v);
+  for (const DomainFace& f : faces_) {
+    const double inside = f.sign * (x[static_cast<std::size_t>(f.axis)] - f.at);
+    if (inside > touching()) continue;
+    Vector3 n{0, 0, 0};
+    n[static_cast<std::size_t>(f.axis)] = f.sign;
+    v = contact(v, n, f.rule == Rule::sticky, f.rule == Rule::separating, f.rule == Rule::separating ? face_friction_ : 0);
+  }
+  return v;
+}
+
+std::optional<ContactHeat> Contacts::covering(const Point& x, const std::optional<Vector3>& n, double reach) const {
+  for (const Present& p : present_) {
+    if (p.contact->rule == Rule::grip || !reaches(p, x, reach)) continue;
+    if (n && dot(p.contact->scripted.normal(p.pose, x), *n) > -0.5) continue;  // the surface looks elsewhere
+    if (!p.contact->temperature) return ContactHeat{};
+    return ContactHeat{p.contact->exchange, p.temperature};
+  }
+  return std::nullopt;
+}
+
+std::optional<double> Contacts::held_temperature(const Point& x) const {
+  for (const Present& p : present_)
+    if (p.contact->rule == Rule::grip && p.contact->temperature && reaches(p, x, touching())) return p.temperature;
+  return std::nullopt;
+}
+
+double Contacts::next_event(double time) const {
+  double next = k_infinity;
+  for (const Contacting& c : all_)
+    for (const double t : {c.scripted.from_s, c.scripted.until_s})
+      if (t > time) next = std::min(next, t);
+  return next;
+}
+
+}  // namespace bake

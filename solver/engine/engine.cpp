@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "solver/engine/engine.h"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include "solver/core/parallel.h"
+#include "solver/effects/fields.h"
+#include "solver/effects/heat.h"
+#include "solver/effects/motion.h"
+#include "solver/effects/water.h"
+#include "solver/io/progress.h"
+
+namespace bake {
+
+template <class Real>
+Engine<Real>::Engine(const Scene& scene)
+    : scene_(scene),
+      gravity_(scene.of<Motion>().gravity_m_per_s2),
+      inertia_scale_(scene.of<Motion>().inertia_scale),
+      water_specific_heat_(scene.of<Heat>().water_specific_heat_J_per_kgK),
+      geometry_(scene.domain.min_m, scene.domain.max_m, scene.dx()),
+      physics_(make_physics<Real>(scene)),
+      kernel_(make_block_kernel<Real>(scene.grid.kernel, *physics_)),
+      contacts_(scene, geometry_),
+      limits_(scene),
+      scratch_(static_cast<std::size_t>(omp_get_max_threads())) {
+  store_.columns = spare_.columns = physics_->column_count;
+  const auto nonzero = [](const Curve& curve) {
+    return std::any_of(curve.points.begin(), curve.points.end(), [](const Curve::Point& p) { return p.value != 0; });
+  };
+  bool exchanges = nonzero(scene.oven.exchange_W_per_m2K);
+  for (const Collider& c : scene.colliders) exchanges |= c.exchange_W_per_m2K != 0;
+  bool evaporates = false;
+  for (const Material& m : scene.materials) evaporates |= of<Water>(m).evaporation_kg_per_m2sK != 0;
+  has_surface_ = (physics_->has_heat && exchanges) || (physics_->has_water && evaporates);
+}
+
+template <class Real>
+Step<Real> Engine<Real>::current_step() const {
+  const double dx = geometry_.dx();
+  const double inverse_d = scene_.grid.kernel == KernelOrder::quadratic ? 4 : 3;
+  return {static_cast<Real>(dt_), static_cast<Real>(dt_), static_cast<Real>(dx), static_cast<Real>(inverse_d / (dx * dx)), time_};
+}
+
+template <class Real>
+BlockWork<Real> Engine<Real>::work(const Step<Real>& step) {
+  BlockWork<Real> w;
+  w.store = &store_;
+  w.physics = physics_.get();
+  w.contacts = &contacts_;
+  w.gathered = gathered_.data();
+  w.scattered = scattered_.data();
+  w.step = step;
+  const Point origin = geometry_.origin({0, 0, 0});
+  const Face low[3] = {scene_.domain.x_min, scene_.domain.y_min, scene_.domain.z_min};
+  const Face high[3] = {scene_.domain.x_max, scene_.domain.y_max, scene_.domain.z_max};
+  for (int d = 0; d < 3; ++d) {
+    w.origin[d] = static_cast<Real>(origin[static_cast<std::size_t>(d)]);
+    w.low_face[d] = static_cast<Real>(geometry_.low_face());
+    w.high_face[d] = static_cast<Real>(geometry_.high_face(d));
+    w.open_low[d] = low[d] == Face::open;
+    w.open_high[d] = high[d] == Face::open;
+  }
+  return w;
+}
+
+template <class Real>
+void Engine<Real>::report_broken(const Migrant<Real>& migrant) const {
+  const auto* columns = store_.tile(static_cast<std::size_t>(migrant.tile));
+  for (const auto& column : physics_->columns)
+    for (int c = column.first; c < column.first + column.width; ++c)
+      if (c != k_identity_column && !std::isfinite(columns[c][migrant.lane]))
+        throw RunError("particle " + std::to_string(identity_of<Real>(columns, migrant.lane)) + ": " + column.name +
+                       " is not finite in step " + std::to_string(counters_.steps) + " at t = " + std::to_string(time_) +
+                       " s (dt = " + std::to_string(dt_) + " s)");
+  throw RunError("a particle's state is not finite in step " + std::to_string(counters_.steps));
+}
+
+// ---------------------------------------------------------------- the step
+
+template <class Real>
+double Engine<Real>::next_step(double from, double target, double next_target) {
+  const StepLimit limit = limits_.largest(extremes_, contacts_.largest_speed());
+  const bool reached = from >= target;
+  const double left = (reached ? next_target : target) - from;
+  if (limit.dt < scene_.time.smallest_step_s)
+    throw RunError(fmt::format("stability asks for a step of {:.3g} s ({}), below time.smallest_step_s, in step {} at t = {:.6g} s",
+                               limit.dt, limit.reason, counters_.steps, time_));
+  if (!(left > 0)) return 0;
+  if (!(limit.dt < left)) return left;
+  return left / std::ceil(left / limit.dt);  // equal steps up to the target
+}
+
+template <class Real>
+void Engine<Real>::start(double first_target) {
+  contacts_.prepare(time_);
+  update_grid();
+  pass(next_step(time_, first_target, first_target), true);
+}
+
+template <class Real>
+void Engine<Real>::step(double target, double next_target) {
+  const double began = steady_seconds();
+  contacts_.prepare(time_);
+  update_grid();
+  const double updated = steady_seconds(), ordered = phases_.ordering;
+  const double after = time_ + dt_;
+  const bool reaches = after >= target - 1e-9 * dt_;
+  pass(next_step(reaches ? target : after, target, next_target), reaches);
+  time_ = reaches ? target : after;
+  ++counters_.steps;
+  counters_.particle_steps += static_cast<std::int64_t>(particle_count_);
+  phases_.grid += updated - began;
+  phases_.transfer += steady_seconds() - updated - (phases_.ordering - ordered);
+}
+
+template <class Real>
+void Engine<Real>::pass(double next_dt, bool sample) {
+  Step<Real> step = current_step();
+  step.dt_next = static_cast<Real>(next_dt);
+  BlockWork<Real> w = work(step);
+  velocity_.resize_and_forget(0);
+  if (sample && physics_->moves) {
+    velocity_.resize_and_forget(store_.tiles.size() * 3 * k_width<Real>);
+    w.velocity = velocity_.data();
+  }
+  results_.resize(store_.blocks.size());
+  for (const auto& columns : colours_.columns)
+    for_each_parallel(columns.size(), 1, [&](std::size_t c) {
+      Scratch<Real>& scratch = scratch_[static_cast<std::size_t>(omp_get_thread_num())];
+      for (std::int32_t b = columns[c].first; b < columns[c].second; ++b)
+        kernel_->advance(w, b, scratch, results_[static_cast<std::size_t>(b)], sample);
+    });
+  dt_ = next_dt;
+  extremes_ = {};
+  if (sample) totals_ = {}, temperature_low_ = 1e30, temperature_high_ = -1e30;
+  reduce(results_);
+  std::vector<Migrant<Real>> migrants;
+  for (auto& r : results_)
+    for (auto& e : r.migrants) migrants.push_back(std::move(e));
+  if (!migrants.empty()) migrate_particles(migrants);
+}
+
+template <class Real>
+void Engine<Real>::reduce(const std::vector<BlockResult<Real>>& results) {
+  for (const BlockResult<Real>& r : results) {
+    add_to(booked_, r.booked);
+    for (std::size_t i = 0; i < totals_.size(); ++i) totals_[i] += r.totals[i], retired_[i] += r.retired[i];
+    extremes_.speed2 = std::max(extremes_.speed2, r.speed2);
+    extremes_.wave2 = std::max(extremes_.wave2, r.wave2);
+    extremes_.heat = std::max(extremes_.heat, r.heat);
+    extremes_.water = std::max(extremes_.water, r.water);
+    extremes_.deformation2 = std::max(extremes_.deformation2, r.deformation2);
+    temperature_low_ = std::min(temperature_low_, r.temperature_low);
+    temperature_high_ = std::max(temperature_high_, r.temperature_high);
+    counters_.clamped += r.clamped;
+  }
+}
+
+template <class Real>
+std::size_t Engine<Real>::bytes() const {
+  return store_.data.bytes() + spare_.data.bytes() + scattered_.bytes() + spare_rows_.bytes() + gathered_.bytes() + velocity_.bytes() +
+         (store_.tiles.capacity() + spare_.tiles.capacity()) * sizeof(Tile) +
+         (store_.blocks.capacity() + spare_.blocks.capacity()) * sizeof(HomeBlock) + active_.slot_of.capacity() * sizeof(std::int32_t) +
+         surface_.bytes();
+}
+
+template class Engine<float>;
+template class Engine<double>;
+
+}  // namespace bake

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// The engine: one scatter, one grid update, one gather per step, with the gather of a step and the scatter of the next in one
+// pass over the particles.
+//
+// Between passes the state is: the particles' columns, the scattered grid, the time, and the step that the grid was
+// scattered for. Velocity, stress and fluxes live in registers inside the pass and are stored nowhere. That state is what a
+// checkpoint holds, so that a run can stop at any step and go on with the same bits.
+//
+// Same bits for any number of threads: a node's sums have one order (colour, column of blocks, block, tile, lane), sums over
+// blocks are added in block order, and threads only decide who does which column.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "solver/core/errors.h"
+#include "solver/engine/block_kernel.h"
+#include "solver/engine/contacts.h"
+#include "solver/engine/engine_types.h"
+#include "solver/engine/implicit_heat.h"
+#include "solver/engine/surface.h"
+#include "solver/engine/time_step.h"
+#include "solver/io/checkpoint.h"
+#include "solver/scene/scene.h"
+
+namespace bake {
+
+template <class Real>
+class Engine {
+ public:
+  explicit Engine(const Scene& scene);
+
+  /// Adds particles between passes, with consecutive identities; those that are poured are booked. Throws InputError if one is
+  /// outside the domain.
+  void add(const std::vector<NewParticle>& particles, bool poured = false);
+  /// A first pass without time, which finds fluxes, limits and totals, and scatters for the first step. Once, after the first
+  /// add; not after read().
+  void start(double first_target);
+  /// One step: grid update, then gather and scatter. `target` bounds the step, `next_target` the one after a step that
+  /// reaches it. If the step reaches `target`, totals (and velocities) are sampled. Throws RunError.
+  void step(double target, double next_target);
+  /// From now on `force` acts on every node with mass, before contact, and is booked as an impulse. No part of a checkpoint.
+  void set_force(NodalForce force) { force_ = std::move(force); }
+
+  double time() const { return time_; }
+  double dt() const { return dt_; }
+  const Counters& counters() const { return counters_; }
+  std::size_t identities_given() const { return static_cast<std::size_t>(next_identity_); }  ///< those of particles are below
+  const Budget& booked() const { return booked_; }    ///< sums since the start (area: of the last step)
+  const Totals& totals() const { return totals_; }    ///< at the last sample
+  const Totals& retired() const { return retired_; }  ///< sums since the start over particles when they left
+  const Totals& emitted() const { return emitted_; }  ///< sums since the start over particles when they were poured
+  double temperature_low() const { return temperature_low_; }
+  double temperature_high() const { return temperature_high_; }
+  double largest_speed() const { return std::sqrt(extremes_.speed2); }
+  const PhaseSeconds& phases() const { return phases_; }
+  std::size_t particles() const { return particle_count_; }
+  const ParticleStore<Real>& store() const { return store_; }
+  const AlignedBuffer<Real>& velocity() const { return velocity_; }  ///< [tile][3][W] right after a sample; empty where nothing moves
+  const Physics<Real>& physics() const { return *physics_; }
+  const GridGeometry& geometry() const { return geometry_; }
+  int scattered_row() const { return kernel_->scattered_row(); }  ///< numbers per node of the scattered grid
+  int gathered_row() const { return kernel_->gathered_row(); }    ///< and of the gathered one
+  std::size_t active_nodes() const { return active_.at.size() * k_block_nodes; }
+  std::size_t bytes() const;                                                   ///< memory of particles and grid
+  double next_event(double time) const { return contacts_.next_event(time); }  ///< see Contacts
+
+  void write(CheckpointWriter& out) const;
+  void read(const CheckpointReader& in);
+
+ private:
+  struct ColourColumns {
+    BlockColumns columns[4];  ///< blocks of columns of one colour never touch the same node
+  };
+
+  Step<Real> current_step() const;
+  BlockWork<Real> work(const Step<Real>& step);
+  void update_grid();
+  void update_block(std::size_t slot, const Air& air, const Step<Real>& step, Budget& booked);
+  void measure_published_surface(const Air& air);
+  bool is_empty(const Real* scattered) const;
+  // of a block's nodes, pack by pack: surroundings, sums and channels
+  static Surroundings<Real> surroundings(int pack, const BlockSurroundings<Real>* surface, const Air& air);
+  void hold_temperatures(std::size_t slot, int first, Surroundings<Real>& around) const;
+  template <class After>
+  void change_velocities(std::size_t slot, const NodeSums<Real>* sums, Lanes<Real> (*nodes)[k_most_channels], Budget& booked,
+                         After after) const;
+  void book_momentum(std::size_t slot, const NodeSums<Real>* sums, const Lanes<Real> (*nodes)[k_most_channels], const Lanes<Real> (&dv)[3],
+                     Budget& booked) const;
+  template <class Theta>
+  void book_water_heat(const NodeSums<Real>* sums, Theta theta, Budget& booked) const;
+  Lanes<Real> temperatures(std::size_t slot, int pack) const;
+  void pass(double next_dt, bool sample);
+  void migrate_particles(std::vector<Migrant<Real>>& migrants);
+  void after_sorting();
+  void remap_blocks(const ActiveBlocks& before);
+  void carry_velocity(const ParticleStore<Real>& before, const std::vector<NewParticle>& added);
+  void reduce(const std::vector<BlockResult<Real>>& results);
+  void scatter_new(const ParticleStore<Real>& fresh, const std::vector<Real>& start, bool poured);
+  double next_step(double from, double target, double next_target);
+  [[noreturn]] void report_broken(const Migrant<Real>& migrant) const;
+  std::int32_t home_of(const BlockIndex& block) const;
+
+  const Scene& scene_;
+  const Vector3 gravity_;                             ///< [m/s^2]
+  const double inertia_scale_, water_specific_heat_;  ///< 1 and J/(kg K); looked up here once, for blocks ask for them
+  GridGeometry geometry_;
+  std::unique_ptr<Physics<Real>> physics_;
+  std::unique_ptr<BlockKernel<Real>> kernel_;
+  Contacts contacts_;
+  NodalForce force_;
+  FreeSurfaceMeasure<Real> surface_;
+  StepLimits limits_;
+
+  ParticleStore<Real> store_, spare_;
+  AlignedBuffer<Real> scattered_, spare_rows_;  ///< what the next grid update takes; a spare one to move it into other blocks
+  AlignedBuffer<Real> gathered_;                ///< what the last grid update gave
+  ActiveBlocks active_;
+  ColourColumns colours_;
+  AlignedBuffer<Real> velocity_;
+  std::vector<Scratch<Real>> scratch_;
+  std::vector<BlockResult<Real>> results_;  ///< of the home blocks in a pass
+  std::vector<Budget> block_budgets_;       ///< of the grid's blocks in an update
+  ImplicitHeat<Real> implicit_heat_;
+  std::vector<Real> heat_weight_, exchange_;  ///< of the nodes, for backward Euler
+  std::vector<NodeSums<Real>> sums_;          ///< of the nodes, W at a time, for backward Euler with water
+
+  double time_ = 0, dt_ = 0;
+  std::int64_t next_identity_ = 0;
+  std::size_t particle_count_ = 0;
+  bool has_surface_ = false;
+  Maxima extremes_;
+  Counters counters_;
+  PhaseSeconds phases_;
+  Budget booked_{};
+  Totals totals_{}, retired_{}, emitted_{};
+  double temperature_low_ = 0, temperature_high_ = 0;
+};
+
+extern template class Engine<float>;
+extern template class Engine<double>;
+
+}  // namespace bake

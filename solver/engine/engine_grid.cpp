@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: MIT
+// The grid update: from what particles scattered to what they will gather, and its books.
+#include <cstring>
+
+#include "solver/core/parallel.h"
+#include "solver/core/rows.h"
+#include "solver/core/vector3.h"
+#include "solver/effects/fields.h"
+#include "solver/effects/heat.h"
+#include "solver/engine/engine.h"
+
+namespace bake {
+
+namespace {
+
+void book_impulse(const Point& x, const Vector3& impulse, Budget& booked) {
+  const Vector3 twist = cross(x, impulse);
+  for (std::size_t d = 0; d < 3; ++d) {
+    booked[static_cast<std::size_t>(Entry::impulse_x) + d] += impulse[d];
+    booked[static_cast<std::size_t>(Entry::twist_x) + d] += twist[d];
+  }
+}
+
+template <class Real>
+struct NodeCoordinates {
+  alignas(64) Real along[3][k_block_nodes];
+  constexpr NodeCoordinates() : along() {
+    for (int n = 0; n < k_block_nodes; ++n)
+      for (std::size_t d = 0; d < 3; ++d) along[d][n] = static_cast<Real>(coordinates_in_block(n)[d]);
+  }
+};
+template <class Real>
+constexpr NodeCoordinates<Real> k_coordinates;
+
+/// Impulses on the nodes of a block, and their twist about its first node.
+template <class Real>
+struct Impulses {
+  using V = Lanes<Real>;
+  V sum[3] = {}, twist[3] = {};  ///< [kg m/s]; the twist per node distance
+  /// Of the nodes `first`, `first` + 1, ...
+  BAKE_INLINE void add(int first, const V (&impulse)[3]) {
+    for (int d = 0; d < 3; ++d) {
+      const int e = (d + 1) % 3, f = (d + 2) % 3;
+      const V &x_e = *reinterpret_cast<const V*>(k_coordinates<Real>.along[e] + first),
+              &x_f = *reinterpret_cast<const V*>(k_coordinates<Real>.along[f] + first);
+      sum[d] += impulse[d];
+      twist[d] += x_e * impulse[f] - x_f * impulse[e];
+    }
+  }
+  void book(const Point& origin, double dx, Budget& booked) const {
+    const Vector3 total{sum_lanes(sum[0]), sum_lanes(sum[1]), sum_lanes(sum[2])};
+    book_impulse(origin, total, booked);
+    for (std::size_t d = 0; d < 3; ++d) booked[static_cast<std::size_t>(Entry::twist_x) + d] += dx * sum_lanes(twist[d]);
+  }
+};
+
+template <class Real>
+double sum_over_block(const Real* nodes) {
+  Lanes<Real> sum{};
+  for (int n = 0; n < k_block_nodes; n += k_width<Real>) sum += *reinterpret_cast<const Lanes<Real>*>(nodes + n);
+  return sum_lanes(sum);
+}
+
+}  // namespace
+
+template <class Real>
+void Engine<Real>::update_grid() {
+  const Step<Real> step = current_step();
+  active_.find_touched(store_.blocks);
+  Air air;
+  if (has_surface_) {
+    air = {scene_.oven.exchange_W_per_m2K(time_), scene_.oven.temperature_C(time_), scene_.oven.equilibrium_saturation(time_)};
+    if (scene_.surface.form == Form::standard)
+      surface_.measure(scattered_.data(), scattered_row(), physics_->volume_channel, active_, geometry_, contacts_);
+    else
+      measure_published_surface(air);
+  }
+  const std::size_t blocks = active_.at.size(), nodes = blocks * k_block_nodes;
+  gathered_.resize_and_forget(nodes * static_cast<std::size_t>(gathered_row()));
+  const bool implicit = physics_->implicit_heat;
+  if (implicit) heat_weight_.assign(nodes, Real(0)), exchange_.assign(nodes, Real(0));
+  if (implicit && physics_->has_water) sums_.resize(blocks * k_packs<Real>);
+  block_budgets_.resize(blocks);
+  for_each_parallel(blocks, 16, [&](std::size_t s) {
+    block_budgets_[s] = {};
+    if (active_.touched[s]) update_block(s, air, step, block_budgets_[s]);
+  });
+  if (implicit) {
+    const BlockWork<Real> w = work(step);
+    booked_[static_cast<std::size_t>(Entry::exchanged)] +=
+        implicit_heat_.solve(*kernel_, w, colours_.columns, scratch_, heat_weight_, exchange_, physics_->temperature_channel, dt_,
+                             scene_.of<Heat>().tolerance, gathered_);
+    if (physics_->has_water)
+      for (std::size_t s = 0; s < blocks; ++s)
+        if (active_.touched[s])
+          book_water_heat(
+              &sums_[s * k_packs<Real>], [&](int pack) { return temperatures(s, pack); }, block_budgets_[s]);
+  }
+  booked_[static_cast<std::size_t>(Entry::area)] = booked_[static_cast<std::size_t>(Entry::contact_area)] = 0;  // of this step, not a sum
+  for (const Budget& b : block_budgets_) add_to(booked_, b);
+}
+
+/// From scattered to gathered rows. A block found empty is no longer `touched`.
+template <class Real>
+void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>& step, Budget& booked) {
+  constexpr int W = k_width<Real>;
+  const auto RS = static_cast<std::size_t>(scattered_row()), RG = static_cast<std::size_t>(gathered_row());
+  Real* from = scattered_.data() + s * k_block_nodes * RS;
+  Real* rows = gathered_.data() + s * k_block_nodes * RG;
+  if (is_empty(from)) {
+    std::memset(rows, 0, k_block_nodes * RG * sizeof(Real));
+    std::memset(from, 0, k_block_nodes * RS * sizeof(Real));
+    active_.touched[s] = 0;
+    return;
+  }
+  const bool at_contact = (physics_->moves || contacts_.holds_temperatures()) && contacts_.near(active_.at[s], 0);
+  BlockSurroundings<Real> surface;
+  const bool has_surface = has_surface_ && surface_.surround(s, active_, air, surface);
+  Lanes<Real> in[k_most_channels], dv[3];
+  for (std::size_t d = 0; d < 3; ++d) dv[d] = lanes<Real>(static_cast<Real>(dt_ * gravity_[d] / inertia_scale_));
+  Lanes<Real> out[k_packs<Real>][k_most_channels];
+  NodeSums<Real> sums[k_packs<Real>];
+  for (int pack = 0; pack < k_packs<Real>; ++pack) {
+    const std::size_t n = static_cast<std::size_t>(pack) * W;
+    prefetch_rows(from + (k_block_nodes + n) * RS, W * RS);  // of the next block
+    kernel_->take_nodes(from + n * RS, in);
+    Surroundings<Real> around = surroundings(pack, has_surface ? &surface : nullptr, air);
+    if (at_contact && contacts_.holds_temperatures()) hold_temperatures(s, static_cast<int>(n), around);
+    physics_->update_nodes(in, out[pack], sums[pack], around, step, booked);
+    for (int c = physics_->gather_channels; c < gathered_row(); ++c) out[pack][c] = Lanes<Real>{};
+    if (physics_->moves)
+      for (int d = 0; d < 3; ++d) out[pack][d] += sums[pack].inertia > 0 ? dv[d] : 0 * dv[d];
+    if (physics_->implicit_heat) {
+      const std::size_t node = s * k_block_nodes + n;
+      std::memcpy(&heat_weight_[node], &sums[pack].heat_weight, sizeof(Lanes<Real>));
+      std::memcpy(&exchange_[node], &around.exchange, sizeof(Lanes<Real>));
+    }
+  }
+  if (force_) change_velocities(s, sums, out, booked, [&](const Point& x, const Vector3& v) { return force_(x, v, time_, dt_); });
+  if (physics_->moves && at_contact)
+    change_velocities(s, sums, out, booked, [&](const Point& x, const Vector3& v) { return contacts_.velocity_after(x, v); });
+  for (std::size_t pack = 0; pack < k_packs<Real>; ++pack) kernel_->put_nodes(out[pack], rows + pack * W * RG);
+  if (physics_->moves) book_momentum(s, sums, out, dv, booked);
+  if (physics_->has_heat && physics_->has_water) {
+    if (physics_->implicit_heat)
+      std::copy(sums, sums + k_packs<Real>, &sums_[s * k_packs<Real>]);  // until the temperatures are known
+    else
+      book_water_heat(
+          sums, [&](int pack) { return out[pack][physics_->temperature_channel]; }, booked);
+  }
+  if (has_surface) {
+    booked[static_cast<std::size_t>(Entry::area)] += sum_over_block(surface.area);
+    booked[static_cast<std::size_t>(Entry::contact_area)] += sum_over_block(surface.contact_area);
+  }
+}
+
+template <class Real>
+bool Engine<Real>::is_empty(const Real* scattered) const {
+  const auto RS = static_cast<std::size_t>(scattered_row()), filled = static_cast<std::size_t>(physics_->filled_channel);
+  for (std::size_t n = 0; n < k_block_nodes; ++n)
+    if (scattered[n * RS + filled] != 0) return false;
+  return true;
+}
+
+/// `surface`: of the block, null where there is none.
+template <class Real>
+Surroundings<Real> Engine<Real>::surroundings(int pack, const BlockSurroundings<Real>* surface, const Air& air) {
+  const int first = pack * k_width<Real>;
+  Surroundings<Real> around{};
+  around.saturation = lanes<Real>(static_cast<Real>(air.saturation));
+  if (surface) {
+    around.area = *reinterpret_cast<const Lanes<Real>*>(surface->area + first);
+    around.exchange = *reinterpret_cast<const Lanes<Real>*>(surface->exchange + first);
+    around.exchange_source = *reinterpret_cast<const Lanes<Real>*>(surface->exchange_source + first);
+  }
+  return around;
+}
+
+/// Nodes that a grip holds at its temperature.
+template <class Real>
+void Engine<Real>::hold_temperatures(std::size_t slot, int first, Surroundings<Real>& around) const {
+  for (int l = 0; l < k_width<Real>; ++l)
+    if (const auto held = contacts_.held_temperature(node_position(geometry_.origin(active_.at[slot]), geometry_.dx(), first + l))) {
+      around.is_held[l] = -1;
+      around.held[l] = static_cast<Real>(*held);
+    }
+}
+
+/// What gravity gives, what evaporating water takes along, and what moves between nodes against what moves between particles
+/// (Water::gather). With the step's final velocities.
+template <class Real>
+void Engine<Real>::book_momentum(std::size_t slot, const NodeSums<Real>* sums, const Lanes<Real> (*nodes)[k_most_channels],
+                                 const Lanes<Real> (&dv)[3], Budget& booked) const {
+  using V = Lanes<Real>;
+  Impulses<Real> impulses;
+  V moved[3] = {};
+  const auto inertia = static_cast<Real>(inertia_scale_);
+  for (int pack = 0; pack < k_packs<Real>; ++pack) {
+    V impulse[3];
+    for (int d = 0; d < 3; ++d) {
+      impulse[d] = sums[pack].inertia * dv[d] - inertia * sums[pack].evaporated * nodes[pack][d];
+      moved[d] += sums[pack].moved * nodes[pack][d];
+    }
+    impulses.add(pack * k_width<Real>, impulse);
+  }
+  impulses.book(geometry_.origin(active_.at[slot]), geometry_.dx(), booked);
+  for (std::size_t d = 0; d < 3; ++d) booked[static_cast<std::size_t>(Entry::remapped_x) + d] -= inertia_scale_ * sum_lanes(moved[d]);
+}
+
+/// The same of heat, with the step's final temperatures: theta(pack) are those of W nodes.
+template <class Real>
+template <class Theta>
+void Engine<Real>::book_water_heat(const NodeSums<Real>* sums, Theta theta, Budget& booked) const {
+  Lanes<Real> moved{}, vapour{};  // [kg C]
+  for (int pack = 0; pack < k_packs<Real>; ++pack) {
+    moved += sums[pack].moved * theta(pack);
+    vapour += sums[pack].evaporated * theta(pack);
+  }
+  booked[static_cast<std::size_t>(Entry::vapour_heat)] += water_specific_heat_ * sum_lanes(vapour);
+  booked[static_cast<std::size_t>(Entry::remapped_heat)] -= water_specific_heat_ * sum_lanes(moved);
+}
+
+template <class Real>
+void Engine<Real>::measure_published_surface(const Air& air) {
+  const auto measure = [&]<KernelOrder order>() {
+    surface_.template measure_published<order>(store_, scattered_.data(), scattered_row(), physics_->volume_channel,
+                                               physics_->column_of(field::VolumeRatio::name),
+                                               physics_->column_of(field::InitialVolume::name), active_, geometry_, contacts_, air);
+  };
+  if (scene_.grid.kernel == KernelOrder::quadratic)
+    measure.template operator()<KernelOrder::quadratic>();
+  else
+    measure.template operator()<KernelOrder::cubic>();
+}
+
+/// Those of W nodes, read from the gathered rows.
+template <class Real>
+Lanes<Real> Engine<Real>::temperatures(std::size_t slot, int pack) const {
+  const auto RG = static_cast<std::size_t>(gathered_row());
+  const Real* theta = gathered_.data() + (slot * k_block_nodes + static_cast<std::size_t>(pack * k_width<Real>)) * RG;
+  Lanes<Real> result;
+  for (int l = 0; l < k_width<Real>; ++l)
+    result[l] = theta[static_cast<std::size_t>(l) * RG + static_cast<std::size_t>(physics_->temperature_channel)];
+  return result;
+}
+
+/// Every node with mass gets the velocity `after`(its place, its velocity); the impulse is booked.
+template <class Real>
+template <class After>
+void Engine<Real>::change_velocities(std::size_t slot, const NodeSums<Real>* sums, Lanes<Real> (*nodes)[k_most_channels], Budget& booked,
+                                     After after) const {
+  const Point origin = geometry_.origin(active_.at[slot]);
+  for (int n = 0; n < k_block_nodes; ++n) {
+    const int pack = n / k_width<Real>, lane = n % k_width<Real>;
+    const Real mass = sums[pack].inertia[lane];
+    if (!(mass > 0)) continue;
+    Lanes<Real>* v_i = nodes[pack];
+    const Vector3 v{double(v_i[0][lane]), double(v_i[1][lane]), double(v_i[2][lane])};
+    const Point x = node_position(origin, geometry_.dx(), n);
+    const Vector3 changed = after(x, v);
+    if (changed == v) continue;
+    for (std::size_t d = 0; d < 3; ++d) v_i[d][lane] = static_cast<Real>(changed[d]);
+    book_impulse(x, double(mass) * (changed - v), booked);
+  }
+}
+
+// All of them: the extern template of the class keeps a compiler from making one where it is called.
+#define BAKE_INSTANTIATE(Real)                                                                                         \
+  template void Engine<Real>::update_grid();                                                                           \
+  template void Engine<Real>::update_block(std::size_t, const Air&, const Step<Real>&, Budget&);                       \
+  template bool Engine<Real>::is_empty(const Real*) const;                                                             \
+  template Surroundings<Real> Engine<Real>::surroundings(int, const BlockSurroundings<Real>*, const Air&);             \
+  template void Engine<Real>::hold_temperatures(std::size_t, int, Surroundings<Real>&) const;                          \
+  template void Engine<Real>::book_momentum(std::size_t, const NodeSums<Real>*, const Lanes<Real>(*)[k_most_channels], \
+                                            const Lanes<Real>(&)[3], Budget&) const;                                   \
+  template void Engine<Real>::measure_published_surface(const Air&);                                                   \
+  template Lanes<Real> Engine<Real>::temperatures(std::size_t, int) const;
+BAKE_INSTANTIATE(float)
+BAKE_INSTANTIATE(double)
+#undef BAKE_INSTANTIATE
+
+}  // namespace bake

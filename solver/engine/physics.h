@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// What the engine knows of a model: how many numbers go where, and three functions on lanes.
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "solver/boundary/obstacles.h"
+#include "solver/core/lanes.h"
+#include "solver/effects/totals.h"
+
+namespace bake {
+
+struct Scene;
+struct Body;
+
+/// One step's numbers, in SI units.
+template <class Real>
+struct Step {
+  Real dt = 0;         ///< of the step whose grid is being gathered [s]
+  Real dt_next = 0;    ///< of the step that is being scattered [s]
+  Real dx = 0;         ///< node distance [m]
+  Real inverse_d = 0;  ///< D^-1 of the kernel [1/m^2]
+  double time = 0;     ///< at the start of the step [s]
+};
+
+/// What limits the next step: maxima over the particles.
+template <class Real>
+struct Extremes {
+  using V = Lanes<Real>;
+  V speed2;        ///< |v|^2 [m^2/s^2]
+  V wave2;         ///< stiffness over density, c^2 [m^2/s^2]
+  V heat;          ///< kappa V / c [m^2/s]
+  V water;         ///< K theta s [m^2/s]
+  V deformation2;  ///< |C|^2 [1/s^2]
+};
+
+/// What a block of particles reports besides its scatter coefficients.
+template <class Real>
+struct Report {
+  using V = Lanes<Real>;
+  V alive;                      ///< 1 in lanes that hold a particle, else 0; set tile by tile
+  Real origin[3] = {};          ///< position of the block's first node [m]
+  V open_low[3], open_high[3];  ///< open faces of the domain, relative to the block in node distances
+  Extremes<Real> extremes{};
+  V booked[k_entries] = {};
+  const Obstacles* obstacles = nullptr;  ///< if there are any near that expel particles
+  bool totals_wanted = false;
+  Totals totals{};
+  Totals retired{};  ///< of the particles that leave in this step
+  V temperature_low = V{} + Real(1e30), temperature_high = V{} - Real(1e30);
+
+  Report() {
+    for (int d = 0; d < 3; ++d) open_low[d] = lanes<Real>(-std::numeric_limits<Real>::infinity()), open_high[d] = -open_low[d];
+  }
+  /// Lanes that passed an open face.
+  BAKE_INLINE LaneMask<Real> leaving(const V (&x)[3]) const {
+    return (x[0] < open_low[0]) | (x[0] > open_high[0]) | (x[1] < open_low[1]) | (x[1] > open_high[1]) | (x[2] < open_low[2]) |
+           (x[2] > open_high[2]);
+  }
+  BAKE_INLINE void book(Entry entry, V amount) { booked[static_cast<int>(entry)] += alive * amount; }
+  void add(Total total, V amount) { totals[static_cast<int>(total)] += sum_lanes(alive * amount); }
+};
+
+/// The surroundings of W nodes.
+template <class Real>
+struct Surroundings {
+  using V = Lanes<Real>;
+  V area;             ///< free surface [m^2]
+  V exchange;         ///< sum of area times beta over air and hot colliders [W/K]
+  V exchange_source;  ///< sum of area times beta times theta_out [W]
+  V saturation;       ///< s_out of the air
+  V held;             ///< temperature that a grip holds [C]
+  LaneMask<Real> is_held;
+};
+
+/// What the grid update says of W nodes beside the rows that are gathered.
+template <class Real>
+struct NodeSums {
+  using V = Lanes<Real>;
+  V inertia{};      ///< what moves, the water that evaporates in this step included [kg]
+  V heat_weight{};  ///< heat per degree, exchange included; 0 where the temperature is held [J/K] (backward Euler)
+  V moved{};        ///< change of the water, evaporation included [kg]
+  V evaporated{};   ///< [kg]
+};
+
+/// A model as the engine sees it. All arrays of lanes are aligned to the register width.
+template <class Real>
+class Physics {
+ public:
+  using V = Lanes<Real>;
+  virtual ~Physics() = default;
+
+  struct Column {
+    std::string name, unit;
+    int first, width;
+  };
+  std::vector<Column> columns;  ///< stored per particle, position and identity first
+  /// First column of a field, -1 if no effect has it.
+  int column_of(std::string_view name) const {
+    for (const Column& column : columns)
+      if (column.name == name) return column.first;
+    return -1;
+  }
+  int column_count = 0;
+  int scatter_channels = 0;  ///< numbers per node before the grid update
+  int moment_channels = 0;   ///< the first so many of them have coefficients of the node offsets
+  int gather_channels = 0;   ///< numbers per node after it
+  bool moves = false;
+  bool has_heat = false;
+  bool has_water = false;
+  bool implicit_heat = false;
+  int volume_channel = -1;       ///< in a scattered row; -1: no surface is measured
+  int filled_channel = 0;        ///< in a scattered row: above zero where there are particles
+  int temperature_channel = -1;  ///< in a gathered row; the change stands before it
+
+  /// Gathers and advances the particles of a tile from t to t + dt, then says what they scatter in the step after.
+  /// `gathered`: values, d/dx, d/dy, d/dz, each `gather_stride` lanes apart.
+  /// `scattered`: values, then the coefficients of the node offsets per axis (in node distances), `scatter_stride` apart.
+  /// `velocity`: if not null, receives the three components.
+  virtual void advance(V* columns, int material, const V* gathered, int gather_stride, V* scattered, int scatter_stride, V* velocity,
+                       const Step<Real>&, Report<Real>&) const = 0;
+  /// What new particles scatter in their first step.
+  virtual void start(V* columns, int material, const V* velocity, const V* affine, V* scattered, int scatter_stride, const Step<Real>&,
+                     Report<Real>&) const = 0;
+  /// Grid update of W nodes: scattered channels in, gathered channels and sums out.
+  virtual void update_nodes(const V* scattered, V* gathered, NodeSums<Real>& sums, const Surroundings<Real>&, const Step<Real>&,
+                            Budget&) const = 0;
+  /// kappa V of a tile's particles [W m/K] (backward Euler).
+  virtual V conductance(const V* columns, int material) const = 0;
+  /// Writes the start state of one particle of a body into its lane.
+  virtual void fill(V* columns, int lane, int material, double volume, const Body& body) const = 0;
+};
+
+/// The model of a scene: the instantiation that has just the effects that the scene lists. Throws InputError if there is none.
+template <class Real>
+std::unique_ptr<Physics<Real>> make_physics(const Scene& scene);
+
+}  // namespace bake

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+#include "solver/engine/surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "solver/core/parallel.h"
+#include "solver/core/vector3.h"
+
+namespace bake {
+
+namespace {
+
+// A block and one node around it: 6 x 6 lines along z. A line has room for 8, so that one loop runs through all of them and
+// vectorises; what it makes in between is not used.
+constexpr int k_side = 6, k_line = 8, k_plane = k_side * k_line;
+/// Numbers up to the last that is of use: after a difference or sum along x, along x and y, along all three.
+constexpr int k_after_x = 4 * k_plane, k_after_y = k_after_x - 2 * k_line, k_after_z = k_after_y - (k_line - 4);
+constexpr int halo_index(int x, int y, int z) { return x * k_plane + y * k_line + z; }
+static_assert(halo_index(3, 3, 3) == k_after_z - 1);
+
+template <class Real, int count>
+struct alignas(64) Numbers {
+  Real at[count];
+};
+template <class Real>
+using Halo = Numbers<Real, k_side * k_plane>;
+
+/// A block's line of nodes along z.
+template <class Real>
+struct Line {
+  typedef Real Four __attribute__((vector_size(4 * sizeof(Real)), aligned(sizeof(Real)), may_alias));
+  Four at;
+  explicit Line(const Real* nodes) : at(*reinterpret_cast<const Four*>(nodes)) {}
+  /// The last of this line and the first three of the next.
+  void store_across(const Line& next, Real* to) const { *reinterpret_cast<Four*>(to) = __builtin_shufflevector(at, next.at, 3, 4, 5, 6); }
+};
+
+/// Copies the nodes of a block and those around it. `nodes_of(slot)` points to those of a block, or is null if all of them are zero. False,
+/// and nothing done, if it is null for every block.
+template <class Real, class NodesOf>
+bool load_halo(const std::array<std::int32_t, 27>& around, NodesOf nodes_of, Halo<Real>& out) {
+  static constexpr Real none[k_block_nodes] = {};
+  const Real* block[27];
+  bool any = false;
+  for (std::size_t i = 0; i < 27; ++i) {
+    const std::array<Real, k_block_nodes>* nodes = around[i] < 0 ? nullptr : nodes_of(static_cast<std::size_t>(around[i]));
+    any |= nodes != nullptr;
+    block[i] = nodes ? nodes->data() : none;
+  }
+  if (!any) return false;
+#pragma GCC unroll 6
+  for (int x = 0; x < k_side; ++x)
+#pragma GCC unroll 6
+    for (int y = 0; y < k_side; ++y) {
+      const int gx = x + 3, gy = y + 3;  // 4 is the block's first node
+      const Real* const* column = block + (gx >> 2) * 9 + (gy >> 2) * 3;
+      const int line = node_in_block(gx & 3, gy & 3, 0);
+      const Line<Real> below(column[0] + line), own(column[1] + line), above(column[2] + line);
+      Real* to = out.at + halo_index(x, y, 0);
+      below.store_across(own, to);
+      own.store_across(above, to + 4);
+    }
+  return true;
+}
+
+/// Sums of three, weighted (1, centre, 1), along x, y or z if the stride is k_plane, k_line or 1.
+template <int stride, class Real, int from, int count>
+void sum(const Numbers<Real, from>& in, Real centre, Numbers<Real, count>& out) {
+  static_assert(count + 2 * stride <= from);
+  for (int i = 0; i < count; ++i) out.at[i] = in.at[i] + centre * in.at[i + stride] + in.at[i + 2 * stride];
+}
+template <int stride, class Real, int from, int count>
+void difference(const Numbers<Real, from>& in, Numbers<Real, count>& out) {
+  static_assert(count + 2 * stride <= from);
+  for (int i = 0; i < count; ++i) out.at[i] = in.at[i + 2 * stride] - in.at[i];
+}
+
+/// The block's own nodes, times a factor.
+template <class Real>
+void pick(const Numbers<Real, k_after_z>& in, Real factor, std::array<Real, k_block_nodes>& out) {
+  for (int x = 0; x < 4; ++x)
+    for (int y = 0; y < 4; ++y)
+      for (int z = 0; z < 4; ++z) out[static_cast<std::size_t>(node_in_block(x, y, z))] = factor * in.at[halo_index(x, y, z)];
+}
+
+/// (1, 2, 1)/4 along each axis, times a factor.
+template <class Real>
+void blur(const Halo<Real>& in, Real factor, std::array<Real, k_block_nodes>& out) {
+  Numbers<Real, k_after_x> x;
+  Numbers<Real, k_after_y> xy;
+  Numbers<Real, k_after_z> xyz;
+  sum<k_plane>(in, Real(2), x);
+  sum<k_line>(x, Real(2), xy);
+  sum<1>(xy, Real(2), xyz);
+  pick(xyz, factor / 64, out);
+}
+
+/// 64 times the differences over two nodes along each axis, smoothed by (1, 6, 1)/8 along the other two.
+template <class Real>
+struct Gradient {
+  Numbers<Real, k_after_z> along[3];
+  explicit Gradient(const Halo<Real>& psi) {
+    Numbers<Real, k_after_x> smooth, d_x;
+    Numbers<Real, k_after_y> smooth_smooth, d_x_smooth, smooth_d_y;
+    sum<k_plane>(psi, Real(6), smooth);
+    difference<k_plane>(psi, d_x);
+    sum<k_line>(smooth, Real(6), smooth_smooth);
+    sum<k_line>(d_x, Real(6), d_x_smooth);
+    difference<k_line>(smooth, smooth_d_y);
+    sum<1>(d_x_smooth, Real(6), along[0]);
+    sum<1>(smooth_d_y, Real(6), along[1]);
+    difference<1>(smooth_smooth, along[2]);
+  }
+};
+
+/// Nodes of a block along one axis that are images of others in a face of the domain: node i is that of node[i] of `block`, or of
+/// none (-1).
+struct Images {
+  int block;
+  int node[4];
+};
+
+/// Is any node of the block an image?
+bool has_images(const BlockIndex& b, const GridGeometry& geometry) {
+  const int block[3] = {b.x, b.y, b.z};
+  for (int d = 0; d < 3; ++d)
+    for (const double face : {geometry.low_face(), geometry.high_face(d)})
+      if (4 * block[d] - k_mirrored <= face && face <= 4 * block[d] + 3 + k_mirrored) return true;
+  return false;
+}
+
+/// A block's own nodes along an axis, and what they are images of. Returns how many.
+int find_images(int block, int axis, const GridGeometry& geometry, Images (&found)[5]) {
+  int count = 0;
+  found[count++] = {block, {0, 1, 2, 3}};
+  for (const int face : {static_cast<int>(geometry.low_face()), static_cast<int>(geometry.high_face(axis))}) {
+    const int others = count;
+    for (int i = 0; i < 4; ++i) {
+      const int node = 4 * block + i, image = 2 * face - node;
+      if (std::abs(node - face) > k_mirrored) continue;
+      if (count == others || found[count - 1].block != image >> 2) found[count++] = {image >> 2, {-1, -1, -1, -1}};
+      found[count - 1].node[i] = image & 3;
+    }
+  }
+  return count;
+}
+
+/// Are all of its numbers equal?
+template <class Real, int count>
+bool is_constant(const Numbers<Real, count>& in) {
+  int others = 0;
+  for (const Real value : in.at) others += value != in.at[0];
+  return others == 0;
+}
+
+template <class Nodes>
+bool any_positive(const Nodes& nodes) {
+  return std::any_of(nodes.begin(), nodes.end(), [](auto value) { return value > 0; });
+}
+
+}  // namespace
+
+template <class Real>
+void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volume_channel, const ActiveBlocks& active,
+                                       const GridGeometry& geometry, const Contacts& contacts) {
+  const std::size_t n = active.at.size();
+  for (auto* field : {&volume_, &mirrored_, &smooth_, &density_}) field->resize(n);
+  covers_.resize(n);
+  blocks_.assign(n, {});
+  for_each_parallel(n, 16, [&](std::size_t s) {
+    covers_[s].clear();
+    if (!active.touched[s]) return;
+    for (std::size_t k = 0; k < k_block_nodes; ++k)
+      volume_[s][k] = rows[(s * k_block_nodes + k) * static_cast<std::size_t>(row_size) + static_cast<std::size_t>(volume_channel)];
+    blocks_[s].has_volume = any_positive(volume_[s]);
+  });
+  for_each_parallel(n, 16, [&](std::size_t s) { mirror(s, active, geometry); });
+  for_each_parallel(n, 16, [&](std::size_t s) { smooth(s, active, geometry.dx()); });
+  for_each_parallel(n, 16, [&](std::size_t s) { find_density(s, active, geometry, contacts); });
+  heats_.clear();
+  for (const auto& covers : covers_)
+    for (const Cover& cover : covers)
+      if (std::find(heats_.begin(), heats_.end(), cover.heat) == heats_.end()) heats_.push_back(cover.heat);
+}
+
+/// Faces of the domain are mirrors, not surfaces: the volume of the mirrored dough is added.
+template <class Real>
+void FreeSurfaceMeasure<Real>::mirror(std::size_t s, const ActiveBlocks& active, const GridGeometry& geometry) {
+  const BlockIndex& b = active.at[s];
+  if (!has_images(b, geometry)) return;
+  Images x[5], y[5], z[5];
+  const int xs = find_images(b.x, 0, geometry, x), ys = find_images(b.y, 1, geometry, y), zs = find_images(b.z, 2, geometry, z);
+  blocks_[s].is_mirrored = true;
+  mirrored_[s].fill(0);
+  const auto add = [&](const Images& ix, const Images& iy, const Images& iz) {
+    const std::int32_t slot = active.slot_at({ix.block, iy.block, iz.block}, geometry);
+    if (slot < 0 || !blocks_[static_cast<std::size_t>(slot)].has_volume) return;
+    const Nodes& V = volume_[static_cast<std::size_t>(slot)];
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j) {
+        if (ix.node[i] < 0 || iy.node[j] < 0) continue;
+        Real* line = &mirrored_[s][static_cast<std::size_t>(node_in_block(i, j, 0))];
+        const Real* image = &V[static_cast<std::size_t>(node_in_block(ix.node[i], iy.node[j], 0))];
+        for (int k = 0; k < 4; ++k)
+          if (iz.node[k] >= 0) line[k] += image[iz.node[k]];
+      }
+  };
+  for (int i = 0; i < xs; ++i)
+    for (int j = 0; j < ys; ++j)
+      for (int k = 0; k < zs; ++k) add(x[i], y[j], z[k]);
+}
+
+/// phi~
+template <class Real>
+void FreeSurfaceMeasure<Real>::smooth(std::size_t s, const ActiveBlocks& active, double dx) {
+  Halo<Real> halo;
+  const auto volumes = [&](std::size_t i) {
+    return blocks_[i].is_mirrored ? &mirrored_[i] : blocks_[i].has_volume ? &volume_[i] : nullptr;
+  };
+  blocks_[s].is_empty = !load_halo(active.around[s], volumes, halo);
+  if (blocks_[s].is_empty) return;
+  blur(halo, static_cast<Real>(1 / (dx * dx * dx)), smooth_[s]);
+  int full = 0, empty = 0;
+  for (const Real phi : smooth_[s]) full += phi >= k_full, empty += phi < k_no_dough;
+  blocks_[s].is_full = full == k_block_nodes;
+  blocks_[s].is_empty = empty == k_block_nodes;
+}
+
+/// r, of the air or of the solid that covers the node.
+template <class Real>
+void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& active, const GridGeometry& geometry,
+                                            const Contacts& contacts) {
+  const auto is_full = [&](std::int32_t slot) { return slot >= 0 && blocks_[static_cast<std::size_t>(slot)].is_full; };
+  if (blocks_[s].is_empty || std::all_of(active.around[s].begin(), active.around[s].end(), is_full)) return;
+  Halo<Real> psi;
+  load_halo(
+      active.around[s], [&](std::size_t i) { return blocks_[i].is_empty ? nullptr : &smooth_[i]; }, psi);
+  constexpr Real k_outside = Real(0.2), k_slope = 1 / (k_full - k_outside);
+  for (Real& value : psi.at) value = std::min(std::max((value - k_outside) * k_slope, Real(0)), Real(1));
+  if (is_constant(psi)) return;
+  const Gradient<Real> g(psi);
+  Numbers<Real, k_after_z> squared;
+  for (int i = 0; i < k_after_z; ++i)
+    squared.at[i] = g.along[0].at[i] * g.along[0].at[i] + g.along[1].at[i] * g.along[1].at[i] + g.along[2].at[i] * g.along[2].at[i];
+  Nodes& r = density_[s];
+  pick(squared, Real(1), r);
+  const Real per_length = static_cast<Real>(1 / (64 * 2 * geometry.dx()));
+  for (std::size_t k = 0; k < k_block_nodes; ++k)
+    r[k] = smooth_[s][k] < k_no_dough ? Real(0) : std::sqrt(r[k]) * per_length / smooth_[s][k];
+  blocks_[s].has_density = any_positive(r);
+  const double reach = 2.5 * geometry.dx();
+  if (!blocks_[s].has_density || !contacts.near(active.at[s], reach)) return;
+  const Point origin = geometry.origin(active.at[s]);
+  for (std::size_t k = 0; k < k_block_nodes; ++k) {
+    if (r[k] == 0) continue;
+    const auto [x, y, z] = coordinates_in_block(static_cast<int>(k));
+    const int i = halo_index(x, y, z);
+    const Vector3 inward{double(g.along[0].at[i]), double(g.along[1].at[i]), double(g.along[2].at[i])};
+    const auto heat = contacts.covering(node_position(origin, geometry.dx(), static_cast<int>(k)), (-1 / length(inward)) * inward, reach);
+    if (!heat) continue;
+    auto cover = std::find_if(covers_[s].begin(), covers_[s].end(), [&](const Cover& c) { return c.heat == *heat; });
+    if (cover == covers_[s].end()) cover = covers_[s].insert(cover, Cover{*heat, {}});
+    cover->density[k] = r[k];
+    r[k] = 0;
+  }
+  blocks_[s].has_density = any_positive(r);
+}
+
+/// A = V B^T r
+template <class Real>
+bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& active, const Air& air, BlockSurroundings<Real>& out) const {
+  if (!published_.empty()) {
+    out = published_[s];
+    return true;
+  }
+  if (!blocks_[s].has_volume) return false;
+  const Nodes& V = volume_[s];
+  bool any = false;
+  Halo<Real> halo;
+  const auto add = [&](auto density_of, Real(&area)[k_block_nodes], double exchange, double temperature) {
+    if (!load_halo(active.around[s], density_of, halo)) return;
+    if (!any) out = {};
+    any = true;
+    Nodes r;
+    blur(halo, Real(1), r);
+    const auto beta = static_cast<Real>(exchange), beta_theta = static_cast<Real>(exchange * temperature);
+    for (std::size_t k = 0; k < k_block_nodes; ++k) {
+      area[k] += V[k] * r[k];
+      out.exchange[k] += V[k] * (beta * r[k]);
+      out.exchange_source[k] += V[k] * (beta_theta * r[k]);
+    }
+  };
+  add([&](std::size_t i) { return blocks_[i].has_density ? &density_[i] : nullptr; }, out.area, air.exchange, air.temperature);
+  for (const ContactHeat& heat : heats_)
+    add(
+        [&](std::size_t i) -> const Nodes* {
+          for (const Cover& cover : covers_[i])
+            if (cover.heat == heat) return &cover.density;
+          return nullptr;
+        },
+        out.contact_area, heat.exchange, heat.temperature);
+  return any;
+}
+
+template class FreeSurfaceMeasure<float>;
+template class FreeSurfaceMeasure<double>;
+
+}  // namespace bake

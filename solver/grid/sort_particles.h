@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Ordering: particles into their home blocks, within a block by material and cell.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "solver/grid/grid.h"
+#include "solver/grid/particle_store.h"
+
+namespace bake {
+
+/// Makes a new store from the particles of `from` and then of `more` (may be null), leaving out those for which
+/// `leave_out(tile, lane)` holds (asked of `from` only). Stable: particles of one cell keep their order. Positions must lie
+/// inside the geometry. Same result for any number of threads.
+template <class Real>
+void sort_particles(const ParticleStore<Real>& from, const ParticleStore<Real>* more, const GridGeometry& geometry,
+                    const std::function<bool(std::int32_t tile, std::int32_t lane)>& leave_out, ParticleStore<Real>& to);
+
+/// Home block and position in it of a position that may have left `block`.
+template <class Real>
+struct Home {
+  BlockIndex block;
+  Real x[3];
+  int cell;  ///< 0..63
+};
+template <class Real>
+Home<Real> find_home(const BlockIndex& block, const Real (&x)[3]);
+
+extern template void sort_particles(const ParticleStore<float>&, const ParticleStore<float>*, const GridGeometry&,
+                                    const std::function<bool(std::int32_t, std::int32_t)>&, ParticleStore<float>&);
+extern template void sort_particles(const ParticleStore<double>&, const ParticleStore<double>*, const GridGeometry&,
+                                    const std::function<bool(std::int32_t, std::int32_t)>&, ParticleStore<double>&);
+
+}  // namespace bake

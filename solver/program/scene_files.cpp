@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "solver/program/scene_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "solver/scene/nearest.h"
+#include "solver/scene/scene.h"
+
+namespace bake::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The nearest experiments/ at or above `start`; empty if there is none.
+fs::path experiments_above(const fs::path& start) {
+  std::error_code ignored;  // a folder that we may not look into holds no scenes for us
+  for (fs::path folder = start; !folder.empty(); folder = folder.parent_path()) {
+    if (fs::is_directory(folder / "experiments", ignored)) return fs::canonical(folder / "experiments", ignored);
+    if (folder == folder.root_path()) break;
+  }
+  return {};
+}
+
+std::vector<SceneFile> scenes_in(const fs::path& experiments) {
+  std::vector<SceneFile> found;
+  std::error_code ignored;
+  for (const auto& experiment : fs::directory_iterator(experiments, ignored)) {
+    if (!experiment.is_directory(ignored)) continue;
+    for (const auto& file : fs::directory_iterator(experiment, ignored)) {
+      if (file.path().extension() != ".toml" || file.path().filename() == "figure.toml") continue;
+      found.push_back({experiment.path().filename().string(), file.path().stem().string(), file.path()});
+    }
+  }
+  return found;
+}
+
+bool is_path(const std::string& text) {
+  std::error_code ignored;
+  return fs::path(text).extension() == ".toml" || fs::is_regular_file(text, ignored);
+}
+
+std::vector<std::string> names(const std::vector<SceneFile>& scenes) {
+  std::vector<std::string> result;
+  result.reserve(scenes.size());
+  for (const SceneFile& scene : scenes) result.push_back(scene.name);
+  return result;
+}
+
+}  // namespace
+
+std::vector<SceneFile> known_scenes() {
+  std::error_code ignored;
+  const fs::path here = experiments_above(fs::current_path(ignored));
+  const fs::path built_with = experiments_above(BAKE_SOURCE_DIR);
+  std::vector<SceneFile> scenes = scenes_in(here);
+  if (built_with != here) {
+    const auto more = scenes_in(built_with);
+    scenes.insert(scenes.end(), more.begin(), more.end());
+  }
+  std::sort(scenes.begin(), scenes.end(), [](const SceneFile& a, const SceneFile& b) {
+    return std::tie(a.experiment, a.name, a.file) < std::tie(b.experiment, b.name, b.file);
+  });
+  return scenes;
+}
+
+std::filesystem::path find_scene(const std::string& name_or_path) {
+  if (is_path(name_or_path)) return name_or_path;
+  const std::vector<SceneFile> scenes = known_scenes();
+  std::vector<SceneFile> matches;
+  for (const SceneFile& scene : scenes) {
+    if (name_or_path == scene.name || name_or_path == scene.experiment + "/" + scene.name) matches.push_back(scene);
+  }
+  if (matches.size() == 1) return matches.front().file;
+  if (matches.empty()) {
+    throw InputError(fmt::format("unknown scene '{}'; {}; `bake list` shows all, a path must end in .toml", name_or_path,
+                                 scenes.empty() ? "there is no experiments/ folder here" : suggestion(name_or_path, names(scenes))));
+  }
+  throw InputError(fmt::format("scene '{}' is ambiguous: {} and {}", name_or_path, matches[0].file.string(), matches[1].file.string()));
+}
+
+}  // namespace bake::cli

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "solver/run/kept_run.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "solver/io/provenance.h"
+#include "solver/scene/resolved.h"
+#include "solver/scene/scene.h"
+
+namespace bake {
+namespace {
+
+/// What decides the numbers of a run.
+nlohmann::json identity(const nlohmann::json& scene, const nlohmann::json& program) {
+  nlohmann::json without_place = scene;
+  without_place.erase("file");
+  return {without_place, program.at("solver"), program.at("compiler"), program.at("flags")};
+}
+
+}  // namespace
+
+KeptRun kept_run(const Scene& scene, const std::filesystem::path& folder) {
+  std::ifstream in(folder / "run.json");
+  if (!in) return KeptRun::none;
+  try {
+    const nlohmann::json run = nlohmann::json::parse(in);
+    const nlohmann::json now = provenance()["program"];
+    if (identity(run.at("scene"), run.at("provenance").at("program")) != identity(resolved(scene), now)) return KeptRun::none;
+    const bool reached_the_end = run.at("summary").at("time_s").get<double>() > scene.run.end_s - 0.5 / scene.run.frame_rate_per_s;
+    if (run.at("summary").at("state") == "done" && reached_the_end) return KeptRun::finished;
+    return std::filesystem::exists(folder / "checkpoint.h5") ? KeptRun::unfinished : KeptRun::none;
+  } catch (const nlohmann::json::exception&) {
+    return KeptRun::none;  // of an older version, or not a run
+  }
+}
+
+void complete_run(const Scene& scene, RunOptions options, KeptRun kept) {
+  if (kept == KeptRun::finished) return;
+  options.resume = kept == KeptRun::unfinished;
+  if (run_scene(scene, options).interrupted) throw RunError("interrupted; the same command goes on from the checkpoint");
+}
+
+}  // namespace bake

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+#include "solver/run/run.h"
+
+#include <fmt/format.h>
+#include <omp.h>
+#include <sys/resource.h>
+
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "solver/effects/motion.h"
+#include "solver/io/checkpoint.h"
+#include "solver/io/ledger_file.h"
+#include "solver/io/progress.h"
+#include "solver/io/provenance.h"
+#include "solver/io/scratch_folder.h"
+#include "solver/run/simulation.h"
+#include "solver/scene/describe.h"
+#include "solver/scene/resolved.h"
+#include "solver/scene/scene.h"
+#include "solver/scene/warnings.h"
+
+namespace bake {
+
+namespace {
+
+volatile std::sig_atomic_t g_stop_asked = 0;
+
+/// SIGINT and SIGTERM ask the run to stop after the step; a second one ends the program as usual.
+class StopSignals {
+ public:
+  StopSignals() {
+    g_stop_asked = 0;
+    struct sigaction action {};
+    action.sa_handler = [](int) { g_stop_asked = 1; };
+    action.sa_flags = SA_RESETHAND;
+    sigaction(SIGINT, &action, &old_int_);
+    sigaction(SIGTERM, &action, &old_term_);
+  }
+  ~StopSignals() {
+    sigaction(SIGINT, &old_int_, nullptr);
+    sigaction(SIGTERM, &old_term_, nullptr);
+  }
+  static bool asked() { return g_stop_asked != 0; }
+
+ private:
+  struct sigaction old_int_, old_term_;
+};
+
+/// The files of a run.
+struct Results {
+  std::filesystem::path folder;
+  std::filesystem::path frames() const { return folder / "frames"; }
+  std::filesystem::path series() const { return folder / "frames.hdf.series"; }
+  std::filesystem::path ledger() const { return folder / "ledger.csv"; }
+  std::filesystem::path checkpoint() const { return folder / "checkpoint.h5"; }
+  std::filesystem::path description() const { return folder / "run.json"; }
+};
+
+double frame_time(const Scene& scene, int frame) { return frame / scene.run.frame_rate_per_s; }
+
+int frame_count(const Scene& scene, const RunOptions& options) {
+  if (options.frames) return *options.frames;
+  return std::max(1, static_cast<int>(std::ceil(scene.run.end_s * scene.run.frame_rate_per_s - 1e-9)));
+}
+
+void save_checkpoint(const Scene& scene, const Results& results, const Simulation& simulation, int frame) {
+  CheckpointWriter out(results.checkpoint(), scene_fingerprint(scene), scene.run.precision);
+  simulation.write(out);
+  out.set("frame", static_cast<std::int64_t>(frame));
+  out.commit();
+}
+
+void save_series(const Scene& scene, const Results& results, int frames) {
+  std::vector<SeriesEntry> entries;
+  for (int f = 0; f <= frames; ++f) entries.push_back({"frames/" + frame_name(f), frame_time(scene, f)});
+  write_series(results.series(), entries);
+}
+
+double value(const std::vector<double>& row, std::string_view column) {
+  const auto names = ledger_columns();
+  return row[static_cast<std::size_t>(std::find(names.begin(), names.end(), column) - names.begin())];
+}
+
+std::string summary_text(const Scene& scene, const Results& results, const std::vector<double>& first, const std::vector<double>& last,
+                         double wall, std::int64_t particle_steps) {
+  const auto now = [&](std::string_view c) { return value(last, c); };
+  std::string text =
+      fmt::format("{}: {:.4g} s simulated, {} particles, {} steps\n", scene.title.empty() ? scene.file.stem().string() : scene.title,
+                  now("time_s"), std::int64_t(now("particles")), std::int64_t(now("steps")));
+  if (value(first, "volume_m3") > 0)
+    text += fmt::format("  volume       x {:.3f} ({:.4g} m^3)\n", now("volume_m3") / value(first, "volume_m3"), now("volume_m3"));
+  if (scene.lists("heat"))
+    text += fmt::format("  temperature  {:.1f} to {:.1f} C, mean {:.1f} C\n", now("temperature_min_C"), now("temperature_max_C"),
+                        now("temperature_mean_C"));
+  if (scene.lists("water") && value(first, "water_mass_kg") > 0)
+    text += fmt::format("  water lost   {:.4g} kg ({:.2f} %)\n", now("water_evaporated_kg"),
+                        100 * now("water_evaporated_kg") / value(first, "water_mass_kg"));
+  if (scene.lists("leavening")) text += fmt::format("  gas made     {:.4g} mol\n", now("gas_mol"));
+  if (scene.lists("motion") && scene.of<Motion>().inertia_scale != 1 && now("elastic_J") > 0)
+    text += fmt::format("  inertia      x {:g}; kinetic energy is {:.2g} of the elastic one: small means quasi-static\n",
+                        scene.of<Motion>().inertia_scale, now("kinetic_J") / now("elastic_J"));
+  if (now("clamped_particles") > 0) text += fmt::format("  held at the domain's faces: {} times\n", std::int64_t(now("clamped_particles")));
+  if (now("retired_particles") > 0) text += fmt::format("  retired at open faces: {} particles\n", std::int64_t(now("retired_particles")));
+  text += fmt::format("  speed        {:.2f} million particle-steps/s ({:.1f} s)\n",
+                      wall > 0 ? static_cast<double>(particle_steps) / wall / 1e6 : 0, wall);
+  text += fmt::format("  results      {}", results.folder.string());
+  return text;
+}
+
+double peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024. * static_cast<double>(usage.ru_maxrss);
+}
+
+/// Processes that wait for a processor, over the last minute: above the number of cores, the time is not this run's alone.
+double load_average() {
+  double load = 0;
+  return getloadavg(&load, 1) == 1 ? load : std::nan("");
+}
+
+/// What the run is, and what came of it so far. `wall`: seconds it has taken, those before it was resumed among them, for so many
+/// `particle_steps`.
+void save_description(const Scene& scene, const Results& results, const char* state, const std::vector<double>& row, double wall,
+                      std::int64_t particle_steps) {
+  nlohmann::json summary;
+  const auto names = ledger_columns();
+  for (std::size_t i = 0; i < row.size(); ++i) summary[names[i]] = row[i];
+  summary["state"] = state;
+  summary["wall_s"] = wall;
+  summary["particle_steps"] = particle_steps;
+  summary["peak_memory_bytes"] = peak_memory_bytes();
+  summary["load_average"] = load_average();
+  nlohmann::json made = provenance();
+  made["threads"] = omp_get_max_threads();
+  made["seed"] = scene.run.seed;
+  const nlohmann::json all{{"scene", resolved(scene)}, {"provenance", made}, {"summary", summary}};
+  write_text_atomically(results.description(), all.dump(2) + "\n");
+}
+
+/// Seconds that the run has taken before it is resumed; none if its description is lost. (Not part of the checkpoint: a run that was
+/// interrupted ends with the same checkpoint, bit for bit, as one that was not.)
+double wall_so_far(const Results& results) {
+  std::ifstream in(results.description());
+  const nlohmann::json run = nlohmann::json::parse(in, nullptr, false);
+  return run.is_object() ? run.value(nlohmann::json::json_pointer("/summary/wall_s"), 0.0) : 0.0;
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw InputError(folder.string() + ": cannot make this folder: " + error.message() + ", allowed: a place that can be written (--out)");
+}
+
+void clear_old(const Results& results) {
+  std::error_code ignored;
+  for (const auto& path : {results.series(), results.ledger(), results.checkpoint(), results.description()})
+    std::filesystem::remove(path, ignored);
+  std::filesystem::remove_all(results.frames(), ignored);
+}
+
+}  // namespace
+
+RunSummary run_scene(const Scene& scene, const RunOptions& options) {
+  const StopSignals signals;
+  if (options.threads > 0) omp_set_num_threads(options.threads);
+  const Results results{options.out};
+  const int frames = frame_count(scene, options);
+
+  std::unique_ptr<Simulation> simulation;
+  int frame = 0;
+  double wall_before = 0;
+  if (options.resume) {
+    const CheckpointReader checkpoint(results.checkpoint());
+    checkpoint.expect(scene_fingerprint(scene), scene.run.precision);
+    simulation = Simulation::resume(scene, checkpoint);
+    frame = static_cast<int>(checkpoint.value<std::int64_t>("frame"));
+    wall_before = wall_so_far(results);
+  } else {
+    simulation = Simulation::begin(scene);  // before anything is written: a bad scene leaves old results alone
+    make_folder(results.folder);
+    clear_old(results);
+  }
+  make_folder(results.frames());
+
+  const double began = steady_seconds();
+  const auto wall = [&] { return wall_before + steady_seconds() - began; };
+  const std::int64_t old_steps = simulation->counters().particle_steps;
+  Progress progress(progress_on_stderr(options.quiet));
+  std::vector<double> first = simulation->ledger_row(), last = first;
+  LedgerFile ledger = options.resume ? LedgerFile::resume(results.ledger(), ledger_columns(), frame_time(scene, frame))
+                                     : LedgerFile::create(results.ledger(), ledger_columns());
+  if (options.resume) {
+    first = last = read_ledger(results.ledger()).rows.at(0);
+  } else {
+    simulation->write_frame_file(results.frames() / frame_name(0));
+    save_series(scene, results, 0);
+    ledger.append(first);
+  }
+  save_description(scene, results, "running", last, wall(), simulation->counters().particle_steps);
+
+  const auto stand = [&](int done) {
+    return Standing{done,
+                    frames,
+                    simulation->time(),
+                    frame_time(scene, frames),
+                    simulation->dt(),
+                    static_cast<std::uint64_t>(simulation->counters().particle_steps - old_steps)};
+  };
+  const auto finish = [&](const char* state) {
+    save_description(scene, results, state, last, wall(), simulation->counters().particle_steps);
+    return summary_text(scene, results, first, last, steady_seconds() - began, simulation->counters().particle_steps - old_steps);
+  };
+  const auto advance = [&] {
+    try {
+      return simulation->advance(frame_time(scene, frame + 1), frame_time(scene, frame + 2), [&] {
+        progress.update(stand(frame));
+        return !StopSignals::asked();
+      });
+    } catch (const RunError&) {
+      save_description(scene, results, "failed", last, wall(), simulation->counters().particle_steps);
+      throw;
+    }
+  };
+  while (frame < frames) {
+    const bool reached = advance();
+    if (reached) {
+      ++frame;
+      last = simulation->ledger_row();
+      simulation->write_frame_file(results.frames() / frame_name(frame));
+      save_series(scene, results, frame);
+      ledger.append(last);
+      progress.update(stand(frame));
+    }
+    const bool stop = StopSignals::asked() && frame < frames;
+    if (stop || frame == frames || (reached && frame % scene.run.checkpoint_every_frames == 0)) {
+      save_checkpoint(scene, results, *simulation, frame);
+      save_description(scene, results, "running", last, wall(),
+                       simulation->counters().particle_steps);  // the time it took must not be lost if it is killed
+    }
+    if (stop)
+      return {
+          finish("interrupted") + fmt::format("\n  interrupted at {:.6g} s; checkpoint written, go on with --resume", simulation->time()),
+          true};
+  }
+  return {finish("done"), false};
+}
+
+namespace {
+
+/// Seconds of this machine for each particle.
+struct Costs {
+  double step = 0, frame = 0;
+};
+
+/// From 20 steps and a frame of a simulation at its start.
+Costs try_out(Simulation& simulation, double end) {
+  const double began = steady_seconds();
+  int steps = 20;
+  simulation.advance(end, end, [&] { return --steps > 0; });
+  const double taken = steady_seconds() - began;
+  const ScratchFolder scratch;
+  simulation.write_frame_file(scratch / frame_name(0));  // the first takes much longer than those after it
+  const double again = steady_seconds();
+  simulation.write_frame_file(scratch / frame_name(1));
+  const double particles = std::max(static_cast<double>(simulation.particles()), 1.0);
+  return {taken / std::max(static_cast<double>(simulation.counters().particle_steps), 1.0), (steady_seconds() - again) / particles};
+}
+
+}  // namespace
+
+std::string describe_scene(const Scene& scene) {
+  std::string effects;
+  for (const std::string& e : scene.effects) effects += (effects.empty() ? "" : ", ") + e;
+  std::string text = fmt::format("{}\n  effects      {}\n  precision    {}\n",
+                                 scene.title.empty() ? scene.file.stem().string() : scene.title, effects, word_of(scene.run.precision));
+  Costs costs;
+  for (const Quality quality : {Quality::draft, Quality::standard, Quality::paper}) {
+    Scene at = scene;
+    at.quality = quality;
+    const auto simulation = Simulation::begin(at);
+    const auto n = static_cast<double>(simulation->particles());
+    if (quality == Quality::draft) {
+      text += fmt::format("  memory       {}\n", simulation->memory_words());
+      costs = try_out(*simulation, scene.run.end_s);
+    }
+    const double steps = simulation->dt() > 0 ? std::ceil(scene.run.end_s / simulation->dt()) : 0;
+    const double frames = scene.run.end_s * scene.run.frame_rate_per_s;
+    text += fmt::format("  {:<12} dx {:.4g} m, {:.0f} particles, {:.0f} MB ({:.0f} bytes per particle), about {:.0f} steps, {}\n",
+                        word_of(quality), at.dx(), n, static_cast<double>(simulation->bytes()) / 1e6,
+                        n > 0 ? static_cast<double>(simulation->bytes()) / n : 0, steps,
+                        n > 0 ? clock_text(n * (steps * costs.step + frames * costs.frame)) : "no time at all");
+  }
+  for (const std::string& warning : warnings_about(scene)) text += fmt::format("  warning      {}\n", warning);
+  return text + "  (steps from the first step's length; time from a trial of 20 steps and a frame at draft on this machine)";
+}
+
+}  // namespace bake

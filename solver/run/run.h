@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// The main job: a scene in, frames, ledger and checkpoint out.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "solver/core/errors.h"
+
+namespace bake {
+
+struct Scene;
+
+struct RunOptions {
+  std::filesystem::path out;  ///< folder of the results; made if it is not there
+  int threads = 0;            ///< 0: all cores
+  bool resume = false;        ///< go on from the folder's checkpoint
+  bool quiet = false;
+  std::optional<int> frames;  ///< end after so many frames instead of the scene's end
+};
+
+struct RunSummary {
+  std::string text;          ///< for people
+  bool interrupted = false;  ///< by SIGINT or SIGTERM; a checkpoint was written
+};
+
+/// Simulates the scene. Throws InputError (nothing was written), OutputError, RunError (the last checkpoint is kept).
+RunSummary run_scene(const Scene& scene, const RunOptions& options);
+
+/// What `bake info` prints: effects, particles, memory, and steps and time at each quality, estimated from a short trial at draft.
+std::string describe_scene(const Scene& scene);
+
+}  // namespace bake
