@@ -59,11 +59,11 @@ std::vector<Metric> ledger_metrics() {
       {"dissipated", "J", "plastic work until the end", [](const Results& run, const MetricPlace&) { return run.last("dissipated_J"); }},
       {"solid_drift", "1", "largest unexplained change of the solid's mass, relative",
        [](const Results& run, const MetricPlace&) {
-         return run.drift({{"solid_mass_kg", 1}, {"retired_solid_kg", 1}, {"emitted_solid_kg", -1}}) / run.first("solid_mass_kg");
+         return run.drift({{"solid_mass_kg", 1}, {"retired_solid_mass_kg", 1}, {"emitted_solid_mass_kg", -1}}) / run.first("solid_mass_kg");
        }},
       {"water_drift", "1", "largest unexplained change of the water's mass, relative",
        [](const Results& run, const MetricPlace&) {
-         return run.drift({{"water_mass_kg", 1}, {"water_evaporated_kg", 1}, {"retired_water_kg", 1}, {"emitted_water_kg", -1}}) /
+         return run.drift({{"water_mass_kg", 1}, {"water_evaporated_kg", 1}, {"retired_water_mass_kg", 1}, {"emitted_water_mass_kg", -1}}) /
                 run.first("water_mass_kg");
        }},
       {"heat_drift", "1", "largest unexplained change of the heat content, over the largest content",
@@ -74,8 +74,8 @@ std::vector<Metric> ledger_metrics() {
                            {"vapour_heat_J", 1},
                            {"expansion_heat_J", 1},
                            {"water_remap_heat_J", -1},
-                           {"retired_heat_J", 1},
-                           {"emitted_heat_J", -1}}) /
+                           {"retired_heat_content_J", 1},
+                           {"emitted_heat_content_J", -1}}) /
                 largest(run.column("heat_content_J"));
        }},
       {"momentum_drift_x", "m/s", "largest unexplained change of momentum along x, over the mass",

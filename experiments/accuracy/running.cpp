@@ -14,6 +14,7 @@
 #include "solver/effects/all_effects.h"
 #include "solver/io/progress.h"
 #include "solver/run/fill_scene.h"
+#include "solver/run/ledger.h"
 
 namespace bake::studies::accuracy {
 
@@ -52,7 +53,7 @@ class Fused final : public Running {
   void count(Found& found) const override { count_steps(*simulation_, found); }
   Snapshot snapshot() const override { return simulation_->snapshot(); }
   std::vector<std::string> ledger_names() const override { return ledger_columns(); }
-  std::vector<double> ledger_row() const override { return simulation_->ledger_row(); }
+  std::vector<double> ledger_row() const override { return bake::ledger_row(*simulation_); }
   void write_frame_file(const std::filesystem::path& path) const override { simulation_->write_frame_file(path); }
 
  private:

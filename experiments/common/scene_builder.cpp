@@ -46,7 +46,4 @@ std::unique_ptr<Simulation> SceneBuilder::begin() const {
 
 void run_to(Simulation& simulation, double time) { simulation.advance(time, time); }
 
-double total(const Simulation& simulation, Total which) { return simulation.totals()[static_cast<std::size_t>(which)]; }
-double booked(const Simulation& simulation, Entry which) { return simulation.booked()[static_cast<std::size_t>(which)]; }
-
 }  // namespace bake::studies

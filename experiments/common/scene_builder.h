@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "solver/core/vector3.h"
+#include "solver/effects/all_effects.h"
 #include "solver/run/simulation.h"
 
 namespace bake::studies {
@@ -32,8 +33,5 @@ struct SceneBuilder {
 
 /// Steps until `time`, at which everything is sampled. Throws RunError.
 void run_to(Simulation& simulation, double time);
-
-double total(const Simulation& simulation, Total which);
-double booked(const Simulation& simulation, Entry which);
 
 }  // namespace bake::studies

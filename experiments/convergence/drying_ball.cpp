@@ -98,10 +98,10 @@ std::vector<Errors> drying_ball(bool quick) {
   water.refinements = heat.refinements = quick ? std::vector<double>{11, 15, 20} : std::vector<double>{11, 15, 20, 28};
   for (const double cells : water.refinements) {
     const auto s = ball(cells).begin();
-    const double first_water = total(*s, Total::water_mass), first_heat = total(*s, Total::heat_content);
+    const double first_water = s->total(total::water_mass), first_heat = s->total(total::heat_content);
     run_to(*s, k_duration);
-    water.errors.push_back(std::abs((1 - total(*s, Total::water_mass) / first_water) / exact.water_lost - 1));
-    heat.errors.push_back(std::abs((total(*s, Total::heat_content) / first_heat - 1) / exact.heat_gained - 1));
+    water.errors.push_back(std::abs((1 - s->total(total::water_mass) / first_water) / exact.water_lost - 1));
+    heat.errors.push_back(std::abs((s->total(total::heat_content) / first_heat - 1) / exact.heat_gained - 1));
   }
   return {water, heat};
 }

@@ -117,9 +117,9 @@ std::vector<Errors> barenblatt(bool quick) {
   for (const double n : profile.refinements) {
     const Bar bar = source::bar(static_cast<int>(n));
     const auto simulation = bar.begin();
-    const double before = total(*simulation, Total::water_mass);
+    const double before = simulation->total(total::water_mass);
     run_to(*simulation, bar.end_s);
-    kept.errors.push_back(std::abs(total(*simulation, Total::water_mass) / before - 1));
+    kept.errors.push_back(std::abs(simulation->total(total::water_mass) / before - 1));
     const Snapshot now = simulation->snapshot();
     profile.errors.push_back(source::saturation_error(now));
     const std::vector<double> s = saturation(now);

@@ -42,8 +42,8 @@ shape = {{ box = {{ centre_m = [0, 0, 0.125], half_extents_m = [0.25, 0.25, 0.12
 
 /// Velocity of the centre along and off the slope.
 std::array<double, 2> velocity(const Simulation& s) {
-  const double m = total(s, Total::solid_mass);
-  return {total(s, Total::momentum_x) / m, total(s, Total::momentum_z) / m};
+  const double m = s.total(total::solid_mass);
+  return {s.total(total::momentum, 0) / m, s.total(total::momentum, 2) / m};
 }
 
 /// How far the centre has come with mu = 0.8, relative to sliding without friction from rest.

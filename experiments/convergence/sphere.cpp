@@ -51,12 +51,12 @@ std::vector<Errors> lumped_sphere(bool quick) {
     setting.end_s = dt;
     setting.tables += "[heat]\nintegrator = \"backward_euler\"\nimplicit_step_factor = 1e9\n";
     const auto s = setting.begin();
-    const double before = total(*s, Total::heat_content), volume = total(*s, Total::volume);
+    const double before = s->total(total::heat_content), volume = s->total(total::volume);
     for (int i = 1; i <= steps; ++i) run_to(*s, i * dt);
     // backward Euler: each step divides by 1 + rate dt, exactly
-    const double found = (std::pow(before / total(*s, Total::heat_content), 1. / steps) - 1) / dt;
+    const double found = (std::pow(before / s->total(total::heat_content), 1. / steps) - 1) / dt;
     rate.errors.push_back(std::abs(found / 3 - 1));
-    area.errors.push_back(std::abs(found / (booked(*s, Entry::area) / volume) - 1));
+    area.errors.push_back(std::abs(found / (s->booked(booked::area) / volume) - 1));
   }
   return {rate, area};
 }

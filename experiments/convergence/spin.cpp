@@ -62,13 +62,13 @@ shape = {{ cylinder = {{ from_m = [0, 0, 0], to_m = [0, 0, {:.17g}], radius_m = 
 )",
                                  omega, dx);
     const auto s = setting.begin();
-    const double L = total(*s, Total::angular_z), at_first = moment_of_inertia(*s);
+    const double L = s->total(total::angular_momentum, 2), at_first = moment_of_inertia(*s);
     double mean = 0;
     for (int i = 1; i <= 100 * turns; ++i) {
       run_to(*s, i * sample);
       mean += moment_of_inertia(*s) / (100 * turns);
     }
-    angular.errors.push_back(std::abs(total(*s, Total::angular_z) / L - 1));
+    angular.errors.push_back(std::abs(s->total(total::angular_momentum, 2) / L - 1));
     const double widening = 7. / 12 * omega * omega;
     inertia.errors.push_back(std::abs((mean / at_first - 1) / widening - 1));
   }

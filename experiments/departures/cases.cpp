@@ -50,11 +50,11 @@ std::pair<double, double> risen(const char* form, bool quick, double& volume_rat
   setting.tables = fmt::format("[water]\nform = \"{}\"\n[leavening]\nreference_pressure_Pa = 100\n", form);
   place_ball(setting, "velocity_m_per_s = [0.05, 0, 0]");
   const auto s = setting.begin();
-  const double water = total(*s, Total::water_mass), volume = total(*s, Total::volume);
+  const double water = s->total(total::water_mass), volume = s->total(total::volume);
   run_to(*s, 15);
-  volume_ratio = total(*s, Total::volume) / volume;
-  const double mass = total(*s, Total::solid_mass) + total(*s, Total::water_mass);
-  return {total(*s, Total::water_mass) / water, total(*s, Total::momentum_x) / mass / 0.05};
+  volume_ratio = s->total(total::volume) / volume;
+  const double mass = s->total(total::solid_mass) + s->total(total::water_mass);
+  return {s->total(total::water_mass) / water, s->total(total::momentum, 0) / mass / 0.05};
 }
 
 /// Mean temperature of a ball of 100 C after a while in air of 20 C.
@@ -65,7 +65,7 @@ double cooled(const char* form, bool quick) {
   place_ball(setting);
   const auto s = setting.begin();
   run_to(*s, 0.2);
-  return total(*s, Total::temperature) / total(*s, Total::volume);
+  return s->total(total::temperature) / s->total(total::volume);
 }
 
 double area_found(const char* form, bool quick) {
@@ -76,7 +76,7 @@ double area_found(const char* form, bool quick) {
   place_ball(setting);
   const auto s = setting.begin();
   run_to(*s, 1e-3);
-  return booked(*s, Entry::area) / (4 * M_PI);
+  return s->booked(booked::area) / (4 * M_PI);
 }
 
 /// A ball at 60 C in which gas is made that fills its own initial volume against the atmosphere, after 1 s or when it has burst.
@@ -93,13 +93,13 @@ Leavened leavened(const char* form, bool quick) {
   setting.tables = fmt::format("[leavening]\nform = \"{}\"\n", form);
   place_ball(setting, "temperature_C = 60");
   const auto s = setting.begin();
-  const double volume = total(*s, Total::volume);
+  const double volume = s->total(total::volume);
   constexpr double k_burst = 20;
   Leavened now{1, 1};
   try {
     for (int i = 1; i <= 100 && now.volume_ratio < k_burst; ++i) {
       run_to(*s, 0.01 * i);
-      now.volume_ratio = total(*s, Total::volume) / volume;
+      now.volume_ratio = s->total(total::volume) / volume;
     }
   } catch (const RunError&) {
     now.volume_ratio = std::max(now.volume_ratio, k_burst);
@@ -118,9 +118,9 @@ double strain_of_rest(const char* form, bool quick) {
   setting.tables = fmt::format("[heat]\nexpansion_form = \"{}\"\n", form);
   place_ball(setting);
   const auto s = setting.begin();
-  const double volume = total(*s, Total::volume);
+  const double volume = s->total(total::volume);
   run_to(*s, 5);
-  return std::log(total(*s, Total::volume) / volume);
+  return std::log(s->total(total::volume) / volume);
 }
 
 /// Rate of the plastic strain under three times the yield stress of 1 Pa with eta = 1, from the solver's return of a short step.

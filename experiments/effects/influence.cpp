@@ -9,6 +9,7 @@
 
 #include "analysis/machines/scenes.h"
 #include "experiments/effects/effects.h"
+#include "solver/run/ledger.h"
 #include "solver/run/simulation.h"
 #include "solver/scene/layout.h"
 #include "solver/scene/reader.h"
@@ -26,7 +27,7 @@ double ledger_number(const Simulation& simulation, const char* column) {
   const auto names = ledger_columns();
   const auto at = std::find(names.begin(), names.end(), column);
   if (at == names.end()) throw std::logic_error(std::string("no column ") + column);
-  return simulation.ledger_row()[static_cast<std::size_t>(at - names.begin())];
+  return ledger_row(simulation)[static_cast<std::size_t>(at - names.begin())];
 }
 
 /// What the run is for. Where an effect is left out, what it would have changed stays as it was.
@@ -73,10 +74,13 @@ Outcome run(const std::string& file, const std::vector<std::string>& left_out, d
 std::vector<std::string> with_dependents(const std::string& effect, const std::vector<std::string>& effects) {
   std::vector<std::string> gone{effect};
   for (std::size_t i = 0; i < gone.size(); ++i)
-    for (const Need& need : k_needs)
-      if (need.needs == gone[i] && std::find(effects.begin(), effects.end(), need.effect) != effects.end() &&
-          std::find(gone.begin(), gone.end(), need.effect) == gone.end())
-        gone.emplace_back(need.effect);
+    for_each_effect([&]<class E>() {
+      const auto is_in = [](const std::vector<std::string>& list, std::string_view name) {
+        return std::find(list.begin(), list.end(), name) != list.end();
+      };
+      if (is_in({E::needs.begin(), E::needs.end()}, gone[i]) && is_in(effects, E::name) && !is_in(gone, E::name))
+        gone.emplace_back(E::name);
+    });
   return gone;
 }
 

@@ -47,8 +47,8 @@ Stress FlowStep::image(const Stress& trial) const {
   particle[field::J_P] = lanes<double>((1 - k_.n_0) / (1 - porosity_));  // n = 1 - (1 - n_0)/J_P
   Step<double> step;
   step.dt = dt_;
-  Report<double> report;
-  Plasticity::gather(particle, 0, k_, step, report);
+  BooksOfEverything<double> books;
+  Plasticity::gather(particle, 0, k_, step, books);
   Elasticity::stress(particle, elastic_);
   Stress image;
   for (int i = 0; i < 6; ++i) image.at[i] = particle[field::tau][i][0];

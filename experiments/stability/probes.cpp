@@ -62,7 +62,7 @@ bool endures(const Cube& cube, double safety, const std::function<bool(const Sim
 bool keeps_energy(const Cube& cube, double safety) {
   double start = -1;
   return endures(cube, safety, [&](const Simulation& s) {
-    const double energy = total(s, Total::kinetic) + total(s, Total::elastic);
+    const double energy = s.total(total::kinetic) + s.total(total::elastic);
     if (start < 0) start = energy;
     return energy <= 2 * start;
   });
@@ -70,10 +70,8 @@ bool keeps_energy(const Cube& cube, double safety) {
 
 /// Diffusion: no value outside those at the start, by more than a tenth of the jump (FLIP and the kernels overshoot a little).
 bool keeps_range(const Cube& cube, double safety) {
-  return endures(cube, safety, [](const Simulation& s) {
-    const auto [low, high] = s.temperatures();
-    return low > -10 && high < 110;
-  });
+  return endures(cube, safety,
+                 [](const Simulation& s) { return s.highest(highest::coldness) < 10 && s.highest(highest::temperature) < 110; });
 }
 
 bool keeps_saturations(const Cube& cube, double safety) {
@@ -82,7 +80,7 @@ bool keeps_saturations(const Cube& cube, double safety) {
     const auto &m = now["water_mass"], &V = now["initial_volume"];
     for (std::size_t i = 0; i < m.size(); ++i)
       if (const double saturation = m[i] / V[i]; !(saturation > 0.378 && saturation < 0.402)) return false;  // water of density 1
-    return booked(s, Entry::water_limited) == 0;
+    return s.booked(booked::water_limited) == 0;
   });
 }
 
@@ -128,7 +126,7 @@ Cube leavened(double p_ref) {
 bool keeps_kinetic_energy(const Cube& cube, double safety) {
   double start = -1;
   return endures(cube, safety, [&](const Simulation& s) {
-    const double energy = total(s, Total::kinetic);
+    const double energy = s.total(total::kinetic);
     if (start < 0) start = energy;
     return energy <= 2 * start;
   });

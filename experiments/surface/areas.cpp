@@ -52,7 +52,7 @@ particles_per_cell = {}
 shape = {{ {} }}
 )",
                                particles_per_cell, body.shape);
-  return booked(*setting.begin(), Entry::area);
+  return setting.begin()->booked(booked::area);
 }
 
 }  // namespace

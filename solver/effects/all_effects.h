@@ -6,17 +6,19 @@
 #include <tuple>
 #include <vector>
 
-#include "solver/effects/elasticity.h"
-#include "solver/effects/heat.h"
-#include "solver/effects/leavening.h"
-#include "solver/effects/motion.h"
-#include "solver/effects/plasticity.h"
-#include "solver/effects/water.h"
+#include "solver/effects/common.h"
+#include "solver/effects/listed_effects.h"  // made from the list below: includes each effect's header
 
 namespace bake {
 
-/// In the order in which they act within a step. Adding an effect adds a name here.
-using AllEffects = std::tuple<Motion, Heat, Water, Elasticity, Plasticity, Leavening>;
+/// In the order in which they act within a step. Adding an effect adds a line.
+using AllEffects = std::tuple<  //
+    Motion,                     //
+    Heat,                       //
+    Water,                      //
+    Elasticity,                 //
+    Plasticity,                 //
+    Leavening>;
 
 /// Calls `visit.template operator()<Effect>()` for every effect in the order of AllEffects.
 template <class Visit>

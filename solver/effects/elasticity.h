@@ -4,18 +4,20 @@
 
 #include "solver/core/parameter.h"
 #include "solver/core/symmetric.h"
-#include "solver/effects/fields.h"
-#include "solver/effects/totals.h"
+#include "solver/effects/effect.h"
 
 namespace bake {
 
-struct Elasticity {
+namespace total {
+BAKE_FIELD(elastic, Elastic, 1, "elastic", "J", "elastic energy of the solid");
+}  // namespace total
+
+struct Elasticity : Effect {
   static constexpr const char* name = "elasticity";
   static constexpr const char* meaning = "elastic stress of the solid, tau_E = C : 1/2 log b_E";
 
-  struct Settings {
-    static constexpr auto parameters() { return std::tuple{}; }
-  };
+  static constexpr std::array needs{"motion"};
+
   struct Material {
     double young_modulus_Pa = 0;
     double poisson_ratio = 0.3;
@@ -30,9 +32,7 @@ struct Elasticity {
 
   using Stored = FieldList<field::ElasticStrain>;
   using Transient = FieldList<field::HenckyStrain>;
-  using Moments = FieldList<>;
-  using Values = FieldList<>;
-  using Gathered = FieldList<>;
+  using Totals = FieldList<total::Elastic>;
 
   template <class Real>
   struct Constants {
@@ -48,8 +48,8 @@ struct Elasticity {
   };
 
   /// Trial state: b_tr = (I + dt C) b_E (I + dt C)^T, kept as b - I so that small strains keep their digits.
-  template <class P, class From, class K, class S, class R>
-  BAKE_INLINE static void gather(P& p, const From&, const K&, const S& step, R&) {
+  BAKE_INLINE static void gather(auto& p, const auto&, const auto&, const auto& step, auto&) {
+    using P = std::decay_t<decltype(p)>;
     using V = typename P::V;
     const auto& b = p[field::b_E];
     V D[3][3], M[3][3];
@@ -71,22 +71,23 @@ struct Elasticity {
   }
 
   /// tau_E = lambda tr(eps) I + 2 mu eps
-  template <class P, class K>
-  BAKE_INLINE static void stress(P& p, const K& k) {
+  BAKE_INLINE static void stress(auto& p, const auto& k) {
     const auto& e = p[field::epsilon];
     const auto volumetric = k.lambda * (e[0] + e[1] + e[2]);
     for (int i = 0; i < 6; ++i) p[field::tau][i] += 2 * k.mu * e[i] + (i < 3 ? volumetric : 0 * volumetric);
     p.stiffness += k.lambda + 2 * k.mu;
   }
 
-  template <class P, class K, class S, class R>
-  static void totals(P& p, const K& k, const S&, R& report) {
+  static void totals(auto& p, const auto& k, const auto&, auto& report) {
+    using P = std::decay_t<decltype(p)>;
     using V = typename P::V;
     Symmetric<V> e;
     for (int i = 0; i < 6; ++i) e.at[i] = p[field::epsilon][i];
     const V tr = trace(e);
-    report.add(Total::elastic, p[field::V_0] * (typename P::Real(0.5) * k.lambda * tr * tr + k.mu * norm_squared(e)));
+    report.add(total::elastic, p[field::V_0] * (typename P::Real(0.5) * k.lambda * tr * tr + k.mu * norm_squared(e)));
   }
+
+  static const char* coefficient(const Material& own) { return own.young_modulus_Pa > 0 ? "young_modulus_Pa" : ""; }
 };
 
 }  // namespace bake

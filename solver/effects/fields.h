@@ -1,87 +1,73 @@
 // SPDX-License-Identifier: MIT
-// The vocabulary of particle fields: which effect stores them is written in the effects.
+// The vocabulary: named numbers of a particle, of a node, and of the books. Which effect has them is written in the effects.
 #pragma once
 
 #include <type_traits>
 
 namespace bake {
 
-/// A named field of `width` numbers per particle.
+/// A named field of `width` numbers.
 template <int Width>
 struct Field {
   static constexpr int width = Width;
 };
 
-#define BAKE_FIELD(symbol, Type, Width, full_name, units) \
-  struct Type : Field<Width> {                            \
-    static constexpr const char* name = full_name;        \
-    static constexpr const char* unit = units;            \
-  };                                                      \
-  inline constexpr Type symbol {}
+/// Declares a field: the paper's symbol (which is how code calls it), its type, how many numbers it has, its name in files, its unit, and
+/// what it is, with the equation where there is one. docs/notation.md is made from these.
+#define BAKE_FIELD(Symbol, Type, Width, full_name, units, words) \
+  struct Type : Field<Width> {                                   \
+    static constexpr const char* symbol = #Symbol;               \
+    static constexpr const char* name = full_name;               \
+    static constexpr const char* unit = units;                   \
+    static constexpr const char* meaning = words;                \
+  };                                                             \
+  inline constexpr Type Symbol {}
 
+/// Of a particle.
 namespace field {
-BAKE_FIELD(x, Position, 3, "position", "dx");  // from the first node of the particle's home block: keeps single precision fine
-BAKE_FIELD(id, Identity, 1, "id", "");         // bits of a 32-bit integer
-BAKE_FIELD(V_0, InitialVolume, 1, "initial_volume", "m^3");
-BAKE_FIELD(m_s, SolidMass, 1, "solid_mass", "kg");
-BAKE_FIELD(v, Velocity, 3, "velocity", "m/s");
-BAKE_FIELD(C, AffineVelocity, 9, "affine_velocity", "1/s");  // C[3 * i + j] = dv_i / dx_j
-BAKE_FIELD(J, VolumeRatio, 1, "volume_ratio", "1");
-BAKE_FIELD(tau, KirchhoffStress, 6, "kirchhoff_stress", "Pa");
-BAKE_FIELD(b_E, ElasticStrain, 6, "elastic_strain", "1");  // elastic left Cauchy-Green strain less the identity
-BAKE_FIELD(epsilon, HenckyStrain, 6, "hencky_strain", "1");
-BAKE_FIELD(J_P, PlasticVolumeRatio, 1, "plastic_volume_ratio", "1");
-BAKE_FIELD(theta, Temperature, 1, "temperature", "C");
-BAKE_FIELD(theta_peak, PeakTemperature, 1, "peak_temperature", "C");
-BAKE_FIELD(grad_theta, TemperatureGradient, 3, "temperature_gradient", "C/m");
-BAKE_FIELD(m_w, WaterMass, 1, "water_mass", "kg");
-BAKE_FIELD(q, WaterFlux, 3, "water_flux", "kg/(m^2 s)");
-BAKE_FIELD(Q, WaterMomentum, 3, "water_momentum", "kg m/s");  // V q, the momentum of water relative to the solid
-BAKE_FIELD(Q_old, ScatteredWaterMomentum, 3, "scattered_water_momentum", "kg m/s");
-BAKE_FIELD(nu, ProducedGas, 1, "produced_gas", "mol/m^3");  // per initial volume
-BAKE_FIELD(c, Leavener, 1, "leavener", "1");                // unspent share
+BAKE_FIELD(x, Position, 3, "position", "dx", "x_p: from the first node of the particle's home block, which keeps single precision fine");
+BAKE_FIELD(id, Identity, 1, "id", "", "bits of a whole number that the particle keeps for life");
+BAKE_FIELD(V_0, InitialVolume, 1, "initial_volume", "m^3", "V_p^0: volume at the start");
+BAKE_FIELD(m_s, SolidMass, 1, "solid_mass", "kg", "m_p^s: mass of the solid");
+BAKE_FIELD(v, Velocity, 3, "velocity", "m/s", "v_p: velocity of the solid");
+BAKE_FIELD(C, AffineVelocity, 9, "affine_velocity", "1/s", "C_p: velocity gradient, C[3 i + j] = dv_i / dx_j (APIC)");
+BAKE_FIELD(J, VolumeRatio, 1, "volume_ratio", "1", "J_p: volume over initial volume, det F");
+BAKE_FIELD(tau, KirchhoffStress, 6, "kirchhoff_stress", "Pa", "tau_p = J sigma: Kirchhoff stress of the mixture; xx yy zz yz xz xy");
+BAKE_FIELD(b_E, ElasticStrain, 6, "elastic_strain", "1", "b_E - I: elastic left Cauchy-Green strain less the identity [Ding19 Sec. 5.2]");
+BAKE_FIELD(epsilon, HenckyStrain, 6, "hencky_strain", "1", "epsilon = 1/2 log b_E: elastic Hencky strain [Ding19 Sec. 5.2]");
+BAKE_FIELD(J_P, PlasticVolumeRatio, 1, "plastic_volume_ratio", "1", "J_P: plastic part of J [Ding19 Sec. 5.3]");
+BAKE_FIELD(theta, Temperature, 1, "temperature", "C", "theta_p: temperature [Ding19 Eq. 9, 21]");
+BAKE_FIELD(theta_peak, PeakTemperature, 1, "peak_temperature", "C", "the highest temperature so far: gelatinisation is not undone");
+BAKE_FIELD(grad_theta, TemperatureGradient, 3, "temperature_gradient", "C/m", "grad theta at the particle [Ding19 Sec. 6.3]");
+BAKE_FIELD(m_w, WaterMass, 1, "water_mass", "kg", "m_p^w: mass of the water [Ding19 Eq. 19]");
+BAKE_FIELD(q, WaterFlux, 3, "water_flux", "kg/(m^2 s)", "q_p = -K theta rho_w grad s: water's flux through the solid [Ding19 Eq. 22]");
+BAKE_FIELD(Q, WaterMomentum, 3, "water_momentum", "kg m/s", "V q: momentum of the water relative to its solid [Ding19 Eq. 25]");
+BAKE_FIELD(Q_old, ScatteredWaterMomentum, 3, "scattered_water_momentum", "kg m/s", "V q of the step before, which the nodes know");
+BAKE_FIELD(nu, ProducedGas, 1, "produced_gas", "mol/m^3", "nu_p: CO2 made, per initial volume [Ding19 Sec. 5.4]");
+BAKE_FIELD(c, Leavener, 1, "leavener", "1", "share of the leavener that is not spent [Ding19 Sec. 5.4]");
 }  // namespace field
 
-/// Channels of a node. Scattered: sums over particles. Gathered: what the grid update hands back.
+/// Of a node: sums over particles that are scattered (P2G), and what the grid update hands back to be gathered (G2P).
 namespace channel {
-struct Momentum : Field<3> {};       // w m v and impulses [kg m/s]
-struct OldMomentum : Field<3> {};    // w m v, without the step's impulses [kg m/s] (FLIP)
-struct Mass : Field<1> {};           // w m, the inertial mass [kg]
-struct WaterMass : Field<1> {};      // w m_w [kg]
-struct WaterChange : Field<1> {};    // flux of the step [kg]
-struct WaterCapacity : Field<1> {};  // w V rho_0^w: the water that would fill the node [kg]
-struct Evaporability : Field<1> {};  // w V beta_w [kg m/(s K)]
-struct Volume : Field<1> {};         // w V [m^3]
-struct HeatCapacity : Field<1> {};   // w c [J/K]
-struct HeatContent : Field<1> {};    // w c theta [J]
-struct HeatChange : Field<1> {};     // heat of the step [J]
-inline constexpr Momentum momentum{};
-inline constexpr OldMomentum old_momentum{};
-inline constexpr Mass mass{};
-inline constexpr WaterMass water_mass{};
-inline constexpr WaterChange water_change{};
-inline constexpr WaterCapacity water_capacity{};
-inline constexpr Evaporability evaporability{};
-inline constexpr Volume volume{};
-inline constexpr HeatCapacity heat_capacity{};
-inline constexpr HeatContent heat_content{};
-inline constexpr HeatChange heat_change{};
+BAKE_FIELD(momentum, Momentum, 3, "momentum", "kg m/s", "sum of w m v and of the step's impulses [Ding19 Eq. 26-27]");
+BAKE_FIELD(old_momentum, OldMomentum, 3, "old momentum", "kg m/s", "sum of w m v without the step's impulses (FLIP)");
+BAKE_FIELD(mass, Mass, 1, "mass", "kg", "sum of w m, the inertial mass");
+BAKE_FIELD(water_mass, NodeWaterMass, 1, "water mass", "kg", "m_i^w: sum of w m_w");
+BAKE_FIELD(water_change, WaterChange, 1, "water change", "kg", "dm_i^w: water that flows to the node in the step [Ding19 Eq. 25]");
+BAKE_FIELD(water_capacity, WaterCapacity, 1, "water capacity", "kg", "sum of w V rho_0^w: the water that would fill the node");
+BAKE_FIELD(evaporability, Evaporability, 1, "evaporability", "kg m/s", "sum of w V beta_w theta [Ding19 Sec. 6.2]");
+BAKE_FIELD(volume, Volume, 1, "volume", "m^3", "V_i: sum of w V [Ding19 Eq. 18]");
+BAKE_FIELD(heat_capacity, HeatCapacity, 1, "heat capacity", "J/K", "c_i: sum of w c");
+BAKE_FIELD(heat_content, HeatContent, 1, "heat content", "J", "sum of w c theta");
+BAKE_FIELD(heat_change, HeatChange, 1, "heat change", "J", "heat that comes to the node in the step [Ding19 Eq. 9]");
 
-struct NodeVelocity : Field<3> {};       // v_i after the step [m/s]
-struct OldNodeVelocity : Field<3> {};    // v_i before the step [m/s] (FLIP)
-struct TemperatureChange : Field<1> {};  // theta_i^{n+1} - theta_i^n [K]
-struct NodeTemperature : Field<1> {};    // theta_i^{n+1} [C]
-struct WaterRatio : Field<1> {};         // dm_i / m_i^w [1]
-struct Saturation : Field<1> {};         // s_i^{n+1} [1]
-inline constexpr NodeVelocity velocity{};
-inline constexpr OldNodeVelocity old_velocity{};
-inline constexpr TemperatureChange temperature_change{};
-inline constexpr NodeTemperature temperature{};
-inline constexpr WaterRatio water_ratio{};
-inline constexpr Saturation saturation{};
+BAKE_FIELD(velocity, NodeVelocity, 3, "node velocity", "m/s", "v_i: after the step");
+BAKE_FIELD(old_velocity, OldNodeVelocity, 3, "old node velocity", "m/s", "v_i before the step (FLIP)");
+BAKE_FIELD(temperature_change, TemperatureChange, 1, "temperature change", "K", "theta_i^(n+1) - theta_i^n [Ding19 Eq. 21]");
+BAKE_FIELD(temperature, NodeTemperature, 1, "node temperature", "C", "theta_i^(n+1)");
+BAKE_FIELD(water_ratio, WaterRatio, 1, "water ratio", "1", "dm_i^w / m_i^w [Ding19 Eq. 19]");
+BAKE_FIELD(saturation, Saturation, 1, "saturation", "1", "s_i^(n+1): share of the volume that is water");
 }  // namespace channel
-
-#undef BAKE_FIELD
 
 /// A list of fields or channels laid side by side.
 template <class... F>
@@ -98,7 +84,7 @@ struct FieldList {
     return at;
   }();
   template <class Visitor>
-  static constexpr void for_each(Visitor visit) {
+  static constexpr void for_each([[maybe_unused]] Visitor visit) {
     (visit(F{}), ...);
   }
 };

@@ -7,11 +7,13 @@
 namespace bake {
 
 /// Added to a model when [motion] transfer = "flip"; the blend itself is in Motion::gather.
-struct FlipMemory {
-  static constexpr const char* name = "flip memory";
+struct FlipMemory : Effect {
+  static constexpr const char* name = "flip";
+  static constexpr const char* k_told = " with transfer = \"flip\"";
+  static bool is_implied(const auto& scene) {
+    return scene.lists(Motion::name) && scene.template of<Motion>().transfer == Motion::Transfer::flip;
+  }
   using Stored = FieldList<field::Velocity>;
-  using Transient = FieldList<>;
-  using Moments = FieldList<>;
   using Values = FieldList<channel::OldMomentum>;
   using Gathered = FieldList<channel::OldNodeVelocity>;
 
@@ -23,8 +25,7 @@ struct FlipMemory {
         : inertia(static_cast<Real>(scene.settings.template get<Motion::Settings>().inertia_scale)) {}
   };
 
-  template <class P, class To, class K, class S, class R>
-  BAKE_INLINE static void scatter(P& p, To& to, const K& k, const S&, R&) {
+  BAKE_INLINE static void scatter(auto& p, auto& to, const auto& k, const auto&, auto&) {
     for (int i = 0; i < 3; ++i) to.value(channel::old_momentum, i) += k.inertia * p.mass() * p[field::v][i];
   }
 };

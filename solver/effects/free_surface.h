@@ -3,30 +3,18 @@
 // or water.
 #pragma once
 
-#include "solver/core/lanes.h"
-#include "solver/effects/fields.h"
+#include "solver/effects/effect.h"
 
 namespace bake {
 
-struct FreeSurface {
+struct FreeSurface : Effect {
   static constexpr const char* name = "free surface";
-  using Stored = FieldList<>;
-  using Transient = FieldList<>;
-  using Moments = FieldList<>;
+  static constexpr const char* k_told = "";
+  static bool is_implied(const auto& scene) { return scene.lists("heat") || scene.lists("water"); }
   using Values = FieldList<channel::Volume>;
-  using Gathered = FieldList<>;
-
-  template <class Real>
-  struct Constants {
-    template <class Scene, class SceneMaterial>
-    Constants(const Scene&, const SceneMaterial&) {}
-  };
 
   /// V_i = sum w V   [Ding19 Eq. 18]
-  template <class P, class To, class K, class S, class R>
-  BAKE_INLINE static void scatter(P& p, To& to, const K&, const S&, R&) {
-    to.value(channel::volume) += p.volume();
-  }
+  BAKE_INLINE static void scatter(auto& p, auto& to, const auto&, const auto&, auto&) { to.value(channel::volume) += p.volume(); }
 };
 
 }  // namespace bake

@@ -2,15 +2,38 @@
 // Heat: conduction, exchange with oven and hot colliders, thermal expansion. [Ding19 Sec. 4, 6.3]
 #pragma once
 
+#include <string>
+
 #include "solver/core/parameter.h"
+#include "solver/core/step_limit.h"
+#include "solver/effects/common.h"
 #include "solver/effects/elasticity.h"
-#include "solver/effects/fields.h"
 #include "solver/effects/form.h"
-#include "solver/effects/totals.h"
 
 namespace bake {
 
-struct Heat {
+namespace booked {
+BAKE_FIELD(heat_exchanged, HeatExchanged, 1, "heat_exchanged", "J", "heat that came in through surfaces, colliders and grips");
+BAKE_FIELD(expansion_heat, ExpansionHeat, 1, "expansion_heat", "J", "heat taken by thermal expansion");
+}  // namespace booked
+
+namespace total {
+BAKE_FIELD(heat_content, HeatContent, 1, "heat_content", "J", "sum of c theta, from 0 C");
+BAKE_FIELD(temperature, Temperature, 1, "", "m^3 C", "sum of V theta");
+}  // namespace total
+
+namespace highest {
+BAKE_FIELD(temperature, Temperature, 1, "", "C", "highest theta");
+BAKE_FIELD(coldness, Coldness, 1, "", "C", "highest -theta");
+}  // namespace highest
+
+namespace bound {
+BAKE_FIELD(heat_diffusivity, HeatDiffusivity, 1, "heat_diffusivity", "m^2/s", "kappa V / c");
+}  // namespace bound
+
+struct Water;
+
+struct Heat : Effect {
   static constexpr const char* name = "heat";
   static constexpr const char* meaning = "temperature: conduction, exchange with the surroundings, thermal expansion";
 
@@ -60,6 +83,10 @@ struct Heat {
   using Moments = FieldList<channel::HeatChange>;
   using Values = FieldList<channel::HeatCapacity, channel::HeatContent>;
   using Gathered = FieldList<channel::TemperatureChange, channel::NodeTemperature>;
+  using Booked = FieldList<booked::HeatExchanged, booked::ExpansionHeat>;
+  using Totals = FieldList<total::HeatContent, total::Temperature>;
+  using Highest = FieldList<highest::Temperature, highest::Coldness>;
+  using Bounds = FieldList<bound::HeatDiffusivity>;
 
   template <class Real>
   struct Constants {
@@ -80,9 +107,31 @@ struct Heat {
     }
   };
 
-  template <class P>
-  static void fill(P& p, int lane, double theta, double) {
-    p[field::theta][lane] = p[field::theta_peak][lane] = static_cast<typename P::Real>(theta);
+  template <class Real>
+  struct NodeConstants {
+    Real water;
+    bool published_exchange;
+    template <class Scene>
+    explicit NodeConstants(const Scene& scene) {
+      const auto& settings = scene.template of<Heat>();
+      water = static_cast<Real>(settings.water_specific_heat_J_per_kgK);
+      published_exchange = settings.exchange_form == Form::published;
+    }
+  };
+
+  static void describe(auto& model, const auto& scene) {
+    using Model = std::decay_t<decltype(model)>;
+    const auto& settings = scene.template of<Heat>();
+    model.implicit_heat = settings.integrator == Integrator::backward_euler;
+    model.heat_tolerance = settings.tolerance;
+    model.temperature_channel = Model::Gathered::template offset<channel::NodeTemperature>;
+    model.heat_entry = Model::Booked::template offset<booked::HeatExchanged>;
+    for (const auto& [at, value] : scene.oven.exchange_W_per_m2K.points) model.needs_surface |= value != 0;
+    for (const auto& collider : scene.colliders) model.needs_surface |= collider.exchange_W_per_m2K != 0;
+  }
+
+  static void fill(auto& p, int lane, const auto& start) {
+    p[field::theta][lane] = p[field::theta_peak][lane] = static_cast<typename std::decay_t<decltype(p)>::Real>(start.temperature_C);
   }
 
   /// c = alpha_s m_s + alpha_w m_w: the mixture's heat capacity.
@@ -95,8 +144,7 @@ struct Heat {
   }
 
   /// theta_p += sum w (theta_i^{n+1} - theta_i^n)   [Ding19 Eq. 21]
-  template <class P, class From, class K, class S, class R>
-  BAKE_INLINE static void gather(P& p, const From& from, const K&, const S&, R&) {
+  BAKE_INLINE static void gather(auto& p, const auto& from, const auto&, const auto&, auto&) {
     p[field::theta] += from.value(channel::temperature_change);
     p[field::theta_peak] = max(p[field::theta_peak], p[field::theta]);
     for (int d = 0; d < 3; ++d) p[field::grad_theta][d] = from.gradient(channel::temperature, 0, d);
@@ -105,9 +153,8 @@ struct Heat {
   /// - beta_T (theta - theta_0) I, from the energy -beta_T (theta - theta_0) ln J.
   /// DEPARTS [Ding19 Eq. 10]: printed as -c lambda J theta (Cauchy): not free of stress at theta_0, and with other powers
   /// of J in stress and heat the energy does not close.
-  template <class P, class K>
-  BAKE_INLINE static void stress(P& p, const K& k) {
-    if constexpr (P::template has<field::KirchhoffStress>) {
+  BAKE_INLINE static void stress(auto& p, const auto& k) {
+    if constexpr (std::decay_t<decltype(p)>::template has<field::KirchhoffStress>) {
       const auto pressure =
           k.published_expansion ? k.beta_T * p[field::J] * p[field::J] * p[field::theta] : k.beta_T * (p[field::theta] - k.theta_0);
       for (int i = 0; i < 3; ++i) p[field::tau][i] -= pressure;
@@ -118,8 +165,8 @@ struct Heat {
   /// that expansion takes.
   /// DEPARTS [Ding19 Eq. 9]: printed without the water's part, as if it took the temperature of wherever it arrives.
   /// DEPARTS [Ding19 Sec. 6.3]: the conduction term is printed without kappa and with the wrong sign.
-  template <class P, class To, class K, class S, class R>
-  BAKE_INLINE static void scatter(P& p, To& to, const K& k, const S& step, R&) {
+  BAKE_INLINE static void scatter(auto& p, auto& to, const auto& k, const auto& step, auto&) {
+    using P = std::decay_t<decltype(p)>;
     const auto c = capacity(p, k);
     to.value(channel::heat_capacity) += c;
     to.value(channel::heat_content) += c * p[field::theta];
@@ -139,49 +186,92 @@ struct Heat {
     }
   }
 
-  template <class P, class K, class S, class R>
-  BAKE_INLINE static void limits(P& p, const K& k, const S&, R& report) {
-    report.extremes.heat = max(report.extremes.heat, k.kappa * p.volume() / capacity(p, k));
+  BAKE_INLINE static void bounds(auto& p, const auto& k, const auto&, auto& report) {
+    report.bound(bound::heat_diffusivity, k.kappa * p.volume() / capacity(p, k));
   }
+
+  /// Forward Euler: dt < 2 / eigenvalue. With particles everywhere the largest eigenvalue of the moment form is 1.94 D / dx^2 (quadratic)
+  /// or 1.21 D / dx^2 (cubic), for a wave along one axis; light nodes at surfaces and thin filling cost up to two thirds of that
+  /// (`bake study stability`): dt D / dx^2 below 1/3 and 1/2.
+  /// Backward Euler is stable with any step; its factor is a bound on the error.
+  static void largest_step(const auto& most, const StepScale& at, const auto& scene, StepLimit& limit) {
+    const auto& settings = scene.template of<Heat>();
+    const double factor = settings.integrator == Integrator::backward_euler ? settings.implicit_step_factor : 1;
+    const double D = most(bound::heat_diffusivity);
+    if (D > 0) limit.at_most(factor * at.safety * at.diffusion * at.dx * at.dx / D, "heat conduction");
+  }
+
+  BAKE_INLINE static auto conductance(auto& p, const auto& k) { return k.kappa * p.volume(); }
 
   /// (content + change + dt sum S beta theta_out) / (capacity + dt sum S beta), the capacity being that after the step's water
   /// fluxes: exchange is implicit at the node, so a light surface node never limits the step; it gains what the surroundings
   /// lose, to round-off. Vapour leaves with the new temperature.
   /// DEPARTS [Ding19 Sec. 4, 6.3]: the boundary flux is beta (theta_out - theta); as printed, a hot body heats itself.
-  template <class N, class S, class B>
-  BAKE_INLINE static void update(N& node, const S& step, B& booked) {
+  BAKE_INLINE static void update(auto& node, const auto& k, const auto& step, auto& budget) {
+    using N = std::decay_t<decltype(node)>;
     auto capacity = node[channel::heat_capacity];
     const auto filled = capacity > 0;
     const auto none = 0 * capacity;
     const auto content = node[channel::heat_content], old = filled ? content / capacity : none;
     auto change = node[channel::heat_change];
-    book(booked, Entry::expansion, filled ? -change : none);  // conduction and water only move heat: their sum over the nodes is zero
-    if constexpr (N::template scatters<channel::WaterMass>) {
-      const auto latent = node.latent_heat_per_kg * node.sums.evaporated;
-      change -= latent;
-      book(booked, Entry::latent, latent);
-      capacity += node.water_specific_heat * (node.sums.moved + node.sums.evaporated);
+    budget.book(booked::expansion_heat, filled ? -change : none);  // conduction and water only move heat: their sum over the nodes is zero
+    if constexpr (N::template scatters<channel::NodeWaterMass>) {
+      change -= node.sums.heat_taken;
+      capacity += k.water * (node.sums.moved + node.sums.evaporated);
     }
     const auto& around = node.surroundings;
     const auto exchange = step.dt * around.exchange, source = step.dt * around.exchange_source;
     const auto weight = capacity + exchange;
     auto theta = filled ? (content + change + source) / weight : none;
-    if (node.published_exchange) theta = filled ? (content + change - source + exchange * old) / capacity : none;
-    book(booked, Entry::exchanged, filled ? capacity * theta - (content + change) : none);
+    if (k.published_exchange) theta = filled ? (content + change - source + exchange * old) / capacity : none;
+    budget.book(booked::heat_exchanged, filled ? capacity * theta - (content + change) : none);
     const auto held = around.is_held & filled;
-    book(booked, Entry::exchanged, held ? capacity * (around.held - theta) : none);
+    budget.book(booked::heat_exchanged, held ? capacity * (around.held - theta) : none);
     theta = held ? around.held : theta;
     node.sums.heat_weight = held ? none : weight;
     node.out(channel::temperature_change) = theta - old;
     node.out(channel::temperature) = theta;
   }
 
-  template <class P, class K, class S, class R>
-  static void totals(P& p, const K& k, const S&, R& report) {
-    report.add(Total::heat_content, capacity(p, k) * p[field::theta]);
-    report.temperature_low = min(report.temperature_low, p[field::theta]);
-    report.temperature_high = max(report.temperature_high, p[field::theta]);
-    report.add(Total::temperature, p.volume() * p[field::theta]);
+  static void totals(auto& p, const auto& k, const auto&, auto& report) {
+    report.add(total::heat_content, capacity(p, k) * p[field::theta]);
+    report.add(total::temperature, p.volume() * p[field::theta]);
+    report.highest(highest::coldness, -p[field::theta]);
+    report.highest(highest::temperature, p[field::theta]);
+  }
+
+  static void show(auto& frame) {
+    frame.stored(field::theta);
+    frame.stored(field::theta_peak);
+  }
+
+  static void ledger(auto& columns) {
+    columns.made("temperature_min", "C", "temperature of the coldest particle; 0 without heat",
+                 [](const auto& now) { return 0 - now.highest(highest::coldness); });
+    columns.made("temperature_mean", "C", "mean temperature, weighted with volume; 0 without heat",
+                 [](const auto& now) { return now.particles() > 0 ? now.total(total::temperature) / now.total(total::volume) : 0; });
+    columns.made("temperature_max", "C", "temperature of the hottest particle; 0 without heat",
+                 [](const auto& now) { return now.highest(highest::temperature); });
+  }
+
+  static bool swells(const Material& own) { return own.expansion_per_K > 0; }
+
+  static std::string idle(const auto& here) {
+    const auto& scene = here.scene;
+    if (scene.lists("leavening")) return "";  // which needs it
+    const bool exchanged = here.is_ever_above_zero(scene.oven.exchange_W_per_m2K) ||
+                           here.any(scene.colliders, [](const auto& c) { return c.temperature_C && c.exchange_W_per_m2K > 0; }) ||
+                           here.any(scene.grips, [](const auto& g) { return g.temperature_C.has_value(); });
+    const bool uneven =
+        here.any(scene.bodies, [](const auto& b) { return b.temperature_C.has_value(); }) ||
+        here.any(scene.emitters, [](const auto& e) { return e.temperature_C.has_value(); }) ||
+        here.any(here.materials, [&](const auto* m) { return m->initial_temperature_C != here.materials.front()->initial_temperature_C; });
+    return exchanged || uneven || here.template cools<Water>() ? ""
+                                                               : "no exchange_W_per_m2K is above zero and everything starts equally warm";
+  }
+  static const char* coefficient(const Material& own) {
+    if (own.specific_heat_J_per_kgK > 0) return "specific_heat_J_per_kgK";
+    return own.conductivity_W_per_mK > 0 ? "conductivity_W_per_mK" : own.expansion_per_K > 0 ? "expansion_per_K" : "";
   }
 };
 

@@ -3,18 +3,24 @@
 #pragma once
 
 #include <algorithm>
+#include <string>
 
 #include "solver/core/parameter.h"
-#include "solver/effects/fields.h"
+#include "solver/effects/effect.h"
 #include "solver/effects/form.h"
 #include "solver/effects/plasticity.h"
-#include "solver/effects/totals.h"
 
 namespace bake {
 
-struct Leavening {
+namespace total {
+BAKE_FIELD(gas, Gas, 1, "gas", "mol", "CO2 that was made");
+}  // namespace total
+
+struct Leavening : Effect {
   static constexpr const char* name = "leavening";
   static constexpr const char* meaning = "leavener makes CO2 when warm; the gas in the pores pushes against the atmosphere";
+
+  static constexpr std::array needs{"plasticity", "heat"};
 
   /// What happens where pores are pulled wider than their gas fills them at the atmosphere's pressure.
   enum class Pores { closed, open };
@@ -58,10 +64,7 @@ struct Leavening {
   static constexpr double k_gas_constant = 8.314;  ///< R [J/(mol K)]
 
   using Stored = FieldList<field::ProducedGas, field::Leavener>;
-  using Transient = FieldList<>;
-  using Moments = FieldList<>;
-  using Values = FieldList<>;
-  using Gathered = FieldList<>;
+  using Totals = FieldList<total::Gas>;
 
   template <class Real>
   struct Constants {
@@ -90,10 +93,9 @@ struct Leavening {
     }
   };
 
-  template <class P>
-  static void fill(P& p, int lane, double, double share) {
+  static void fill(auto& p, int lane, const auto& start) {
     p[field::nu][lane] = 0;
-    p[field::c][lane] = static_cast<typename P::Real>(share);
+    p[field::c][lane] = static_cast<typename std::decay_t<decltype(p)>::Real>(start.leavener);
   }
 
   /// d nu/dt = alpha_g R_0 exp(-((theta - theta_r)/Delta theta)^2)   [Ding19 Sec. 5.4]
@@ -105,8 +107,7 @@ struct Leavening {
 
   /// DEPARTS [Ding19 Sec. 5.4]: leavener runs out when its total is given: dc/dt = -(rate / total) c, implicit in c, so that
   /// nu + total c is kept to round-off.
-  template <class P, class From, class K, class S, class R>
-  BAKE_INLINE static void gather(P& p, const From&, const K& k, const S& step, R&) {
+  BAKE_INLINE static void gather(auto& p, const auto&, const auto& k, const auto& step, auto&) {
     const auto wanted = step.dt * rate(p[field::theta], k);
     if (k.finite) {
       const auto z = wanted * (1 / k.total);
@@ -121,8 +122,8 @@ struct Leavening {
   /// - J [(nu_0 + nu) R theta_K / (J n) - p_ref] I with J n = J - (1 - n_0): all pore gas, against the atmosphere.
   /// Open pores hold no vacuum: crust and crumb are full of broken walls, so that air follows where they are torn apart.
   /// DEPARTS [Ding19 Eq. 13]: as printed only the CO2 counts, theta is not absolute and nothing pushes back.
-  template <class P, class K>
-  BAKE_INLINE static void stress(P& p, const K& k) {
+  BAKE_INLINE static void stress(auto& p, const auto& k) {
+    using P = std::decay_t<decltype(p)>;
     using V = typename P::V;
     using Real = typename P::Real;
     const V J = p[field::J];
@@ -141,10 +142,27 @@ struct Leavening {
     p.stiffness += J * J * moles / (pores * pores);
   }
 
-  template <class P, class K, class S, class R>
-  static void totals(P& p, const K&, const S&, R& report) {
-    report.add(Total::gas, p[field::V_0] * p[field::nu]);
+  static void totals(auto& p, const auto&, const auto&, auto& report) { report.add(total::gas, p[field::V_0] * p[field::nu]); }
+
+  static void show(auto& frame) {
+    frame.stored(field::nu);
+    frame.stored(field::c);
   }
+
+  static void check_settings(const Settings& settings, const auto& complaint) {
+    if (settings.pores == Pores::open && settings.form == Form::published)
+      complaint.at("pores", "found \"open\", allowed: \"closed\" with form = \"published\", which knows no atmosphere");
+  }
+
+  static bool swells(const Material&) { return true; }
+  static std::string idle(const auto& here) {
+    const bool makes =
+        here.any(here.materials, [](const auto* m) { return m->effects.template get<Material>().production_mol_per_kgs > 0; });
+    const bool has_any = !here.scene.emitters.empty() || here.any(here.scene.bodies, [](const auto& b) { return b.leavener > 0; });
+    if (!makes) return "production_mol_per_kgs is zero: no gas is made, only the air of the pores pushes";
+    return has_any ? "" : "leavener is zero in every body: no gas is made, only the air of the pores pushes";
+  }
+  static const char* coefficient(const Material& own) { return own.production_mol_per_kgs > 0 ? "production_mol_per_kgs" : ""; }
 };
 
 }  // namespace bake

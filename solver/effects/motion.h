@@ -2,14 +2,29 @@
 // Motion: momentum, the affine velocity field and the volume it carries along.
 #pragma once
 
+#include <cmath>
+#include <string>
+
 #include "solver/core/parameter.h"
+#include "solver/core/step_limit.h"
 #include "solver/core/symmetric.h"
-#include "solver/effects/fields.h"
-#include "solver/effects/totals.h"
+#include "solver/effects/effect.h"
 
 namespace bake {
 
-struct Motion {
+namespace total {
+BAKE_FIELD(momentum, Momentum, 3, "momentum", "kg m/s", "sum of m v + V q, the water's flux being that of the step before");
+BAKE_FIELD(angular_momentum, AngularMomentum, 3, "angular_momentum", "kg m^2/s", "about the origin, with the affine part");
+BAKE_FIELD(kinetic, Kinetic, 1, "kinetic", "J", "kinetic energy of the inertial mass, with the affine part");
+}  // namespace total
+
+namespace bound {
+BAKE_FIELD(speed_squared, SpeedSquared, 1, "speed_squared", "m^2/s^2", "|v|^2");
+BAKE_FIELD(sound_speed_squared, SoundSpeedSquared, 1, "sound_speed_squared", "m^2/s^2", "stiffness over density, c^2");
+BAKE_FIELD(deformation_rate_squared, DeformationRateSquared, 1, "deformation_rate_squared", "1/s^2", "|C|^2");
+}  // namespace bound
+
+struct Motion : Effect {
   static constexpr const char* name = "motion";
   static constexpr const char* meaning = "particles move: momentum, transfers, gravity, colliders";
 
@@ -31,15 +46,13 @@ struct Motion {
       };
     }
   };
-  struct Material {
-    static constexpr auto parameters() { return std::tuple{}; }
-  };
-
   using Stored = FieldList<field::VolumeRatio>;
   using Transient = FieldList<field::Velocity, field::AffineVelocity, field::KirchhoffStress>;
   using Moments = FieldList<channel::Momentum>;
   using Values = FieldList<channel::Mass>;
   using Gathered = FieldList<channel::NodeVelocity>;
+  using Totals = FieldList<total::Momentum, total::AngularMomentum, total::Kinetic>;
+  using Bounds = FieldList<bound::SpeedSquared, bound::SoundSpeedSquared, bound::DeformationRateSquared>;
 
   template <class Real>
   struct Constants {
@@ -53,14 +66,25 @@ struct Motion {
     }
   };
 
-  template <class P>
-  static void fill(P& p, int lane, double, double) {
-    p[field::J][lane] = 1;
+  template <class Real>
+  struct NodeConstants {
+    Real inertia;
+    template <class Scene>
+    explicit NodeConstants(const Scene& scene) : inertia(static_cast<Real>(scene.template of<Motion>().inertia_scale)) {}
+  };
+
+  static void describe(auto& model, const auto& scene) {
+    const auto& settings = scene.template of<Motion>();
+    model.moves = true;
+    model.gravity = settings.gravity_m_per_s2;
+    model.inertia_scale = settings.inertia_scale;
   }
 
+  static void fill(auto& p, int lane, const auto&) { p[field::J][lane] = 1; }
+
   /// x += dt v, J *= det(I + dt C), with v and C = grad v of the nodes around.
-  template <class P, class From, class K, class S, class R>
-  BAKE_INLINE static void gather(P& p, const From& from, const K& k, const S& step, R&) {
+  BAKE_INLINE static void gather(auto& p, const auto& from, const auto& k, const auto& step, auto&) {
+    using P = std::decay_t<decltype(p)>;
     for (int i = 0; i < 3; ++i) {
       const auto v = from.value(channel::velocity, i);
       p[field::x][i] += (step.dt / step.dx) * v;
@@ -77,8 +101,7 @@ struct Motion {
   }
 
   /// w m (v + C r) - dt V_0 tau D^-1 w r; tau is the Kirchhoff stress of the whole mixture.   [Ding19 Eq. 26-27]
-  template <class P, class To, class K, class S, class R>
-  BAKE_INLINE static void scatter(P& p, To& to, const K& k, const S& step, R&) {
+  BAKE_INLINE static void scatter(auto& p, auto& to, const auto& k, const auto& step, auto&) {
     const auto m = k.inertia * p.mass();
     const auto force = -step.dt_next * step.inverse_d * p[field::V_0];
     to.value(channel::mass) += m;
@@ -89,24 +112,33 @@ struct Motion {
     }
   }
 
-  template <class P, class K, class S, class R>
-  BAKE_INLINE static void limits(P& p, const K& k, const S&, R& report) {
-    auto& e = report.extremes;
+  BAKE_INLINE static void bounds(auto& p, const auto& k, const auto&, auto& report) {
     auto speed2 = p[field::v][0] * p[field::v][0], deformation2 = p[field::C][0] * p[field::C][0];
     for (int i = 1; i < 3; ++i) speed2 += p[field::v][i] * p[field::v][i];
     for (int i = 1; i < 9; ++i) deformation2 += p[field::C][i] * p[field::C][i];
-    e.speed2 = max(e.speed2, speed2);
-    e.deformation2 = max(e.deformation2, deformation2);
-    e.wave2 = max(e.wave2, p.stiffness * p[field::V_0] / (k.inertia * p.mass()));
+    report.bound(bound::speed_squared, speed2);
+    report.bound(bound::deformation_rate_squared, deformation2);
+    report.bound(bound::sound_speed_squared, p.stiffness * p[field::V_0] / (k.inertia * p.mass()));
+  }
+
+  /// A wave crosses one cell: the highest frequency of the lumped B-spline grid is below 2 c / dx, explicit integration holds for
+  /// dt < 2 / frequency. |dt C| below 1/2 keeps I + dt C far from singular.
+  static void largest_step(const auto& most, const StepScale& at, const auto& scene, StepLimit& limit) {
+    const double c2 = most(bound::sound_speed_squared), C2 = most(bound::deformation_rate_squared), v2 = most(bound::speed_squared);
+    const double g = length(scene.template of<Motion>().gravity_m_per_s2);
+    if (c2 > 0) limit.at_most(at.safety * at.dx / std::sqrt(c2), "stiffness (elastic, pore gas and water)");
+    if (C2 > 0) limit.at_most(0.5 / std::sqrt(C2), "rate of deformation");
+    if (v2 > 0) limit.at_most(at.cfl * at.dx / std::sqrt(v2), "particle travel (time.cfl)");
+    if (g > 0) limit.at_most(std::sqrt(at.cfl * at.dx / g), "gravity (time.cfl)");
   }
 
   /// v_i = momentum / mass, the mass being that after the step's water fluxes. Vapour leaves with the node's velocity, so that
   /// drying pushes nothing.
-  template <class N, class S, class B>
-  BAKE_INLINE static void update(N& node, const S&, B&) {
+  BAKE_INLINE static void update(auto& node, const auto& k, const auto&, auto&) {
+    using N = std::decay_t<decltype(node)>;
     auto& mass = node.sums.inertia;
     mass = node[channel::mass];
-    if constexpr (N::template scatters<channel::WaterChange>) mass += node.inertia * (node.sums.moved + node.sums.evaporated);
+    if constexpr (N::template scatters<channel::WaterChange>) mass += k.inertia * (node.sums.moved + node.sums.evaporated);
     const auto inverse = mass > 0 ? 1 / mass : 0 * mass;
     for (int i = 0; i < 3; ++i) node.out(channel::velocity, i) = node[channel::momentum][i] * inverse;
     if constexpr (N::template scatters<channel::OldMomentum>)
@@ -116,8 +148,8 @@ struct Motion {
 
   /// Of the inertial mass, which is what impulses act on. The water's own momentum is that of which the nodes know: the new flux
   /// acts on the solid in the next step.
-  template <class P, class K, class S, class R>
-  static void totals(P& p, const K& k, const S& step, R& report) {
+  static void totals(auto& p, const auto& k, const auto& step, auto& report) {
+    using P = std::decay_t<decltype(p)>;
     using V = typename P::V;
     const V m = k.inertia * p.mass(), affine_inertia = m / step.inverse_d;
     const auto& C = p[field::C];
@@ -129,13 +161,29 @@ struct Motion {
       kinetic += momentum[i] * p[field::v][i];
     }
     for (int i = 0; i < 9; ++i) kinetic += affine_inertia * C[i] * C[i];
-    report.add(Total::kinetic, typename P::Real(0.5) * kinetic);
+    report.add(total::kinetic, typename P::Real(0.5) * kinetic);
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3, l = (i + 2) % 3;
-      report.add(static_cast<Total>(static_cast<int>(Total::momentum_x) + i), momentum[i]);
-      report.add(static_cast<Total>(static_cast<int>(Total::angular_x) + i),
-                 position[j] * momentum[l] - position[l] * momentum[j] + affine_inertia * (C[3 * l + j] - C[3 * j + l]));
+      report.add(total::momentum, momentum[i], i);
+      report.add(total::angular_momentum,
+                 position[j] * momentum[l] - position[l] * momentum[j] + affine_inertia * (C[3 * l + j] - C[3 * j + l]), i);
     }
+  }
+
+  static void show(auto& frame) { frame.stored(field::J); }
+
+  static void ledger(auto& columns) {
+    columns.made("max_speed", "m/s", "speed of the fastest particle",
+                 [](const auto& now) { return std::sqrt(now.bound(bound::speed_squared)); });
+  }
+
+  static std::string idle(const auto& here) {
+    const auto moves = [](const auto& thing) { return thing.motion.size() > 1; };
+    const auto starts = [](const auto& body) { return length(body.velocity_m_per_s) > 0 || length(body.spin_rad_per_s) > 0; };
+    const auto& scene = here.scene;
+    const bool pushed = length(scene.template of<Motion>().gravity_m_per_s2) > 0 || !scene.emitters.empty() ||
+                        here.any(scene.colliders, moves) || here.any(scene.grips, moves) || here.any(scene.bodies, starts);
+    return pushed || here.swells ? "" : "there is no gravity, nothing else moves and nothing swells";
   }
 };
 

@@ -7,13 +7,12 @@
 namespace bake {
 
 /// Part of every model with motion and water.
-struct MovingWater {
+struct MovingWater : Effect {
   static constexpr const char* name = "moving water";
+  static constexpr const char* k_told = "";
+  static bool is_implied(const auto& scene) { return scene.lists(Motion::name) && scene.lists(Water::name); }
   using Stored = FieldList<field::ScatteredWaterMomentum>;
   using Transient = FieldList<field::WaterMomentum>;
-  using Moments = FieldList<>;
-  using Values = FieldList<>;
-  using Gathered = FieldList<>;
 
   template <class Real>
   struct Constants {
@@ -28,16 +27,15 @@ struct MovingWater {
   };
 
   /// Q = V q, momentum of the water relative to its solid.
-  template <class P, class From, class K, class S, class R>
-  BAKE_INLINE static void gather(P& p, const From&, const K&, const S&, R&) {
+  BAKE_INLINE static void gather(auto& p, const auto&, const auto&, const auto&, auto&) {
     for (int d = 0; d < 3; ++d) p[field::Q][d] = p.volume() * p[field::q][d];
   }
 
   /// The momentum that the flux carries, V (v_w (x) q) D^-1 w r; and the change of the water's own momentum, so that the sum of
   /// m v + V q is kept.
   /// DEPARTS [Ding19 Eq. 25, 27]: no div v terms: as printed they take water and bulk velocity out of a body that expands.
-  template <class P, class To, class K, class S, class R>
-  BAKE_INLINE static void scatter(P& p, To& to, const K& k, const S& step, R&) {
+  BAKE_INLINE static void scatter(auto& p, auto& to, const auto& k, const auto& step, auto&) {
+    using P = std::decay_t<decltype(p)>;
     const auto moment = (step.dt_next * step.inverse_d) * p.volume();
     const auto per_water = p.volume() / max(p[field::m_w], 0 * p[field::m_w] + std::numeric_limits<typename P::Real>::min());
     for (int i = 0; i < 3; ++i) {

@@ -2,6 +2,9 @@
 // W particles that have every field there is, outside any model: to call an effect's functions one by one.
 #pragma once
 
+#include <map>
+#include <string_view>
+
 #include "solver/core/lanes.h"
 #include "solver/effects/fields.h"
 
@@ -32,6 +35,23 @@ struct ParticleOfEverything {
   V volume() { return (*this)[field::V_0] * (*this)[field::J]; }
   V temperature() { return (*this)[field::theta]; }
   V peak_temperature() { return (*this)[field::theta_peak]; }
+};
+
+/// Takes down what effects book for it.
+template <class Scalar>
+struct BooksOfEverything {
+  using V = Lanes<Scalar>;
+  std::map<std::string_view, V> booked;  ///< by symbol
+
+  template <class Q>
+  void book(Q, V amount) {
+    booked[Q::symbol] += amount;
+  }
+  template <class Q>
+  V operator()(Q) const {
+    const auto found = booked.find(Q::symbol);
+    return found == booked.end() ? V{} : found->second;
+  }
 };
 
 }  // namespace bake

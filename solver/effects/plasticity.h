@@ -2,20 +2,26 @@
 // Plasticity: temperature- and porosity-dependent Cam clay with viscous flow. [Ding19 Sec. 5.3, 6.5]
 #pragma once
 
+#include <algorithm>
 #include <utility>
 
 #include "solver/core/parameter.h"
 #include "solver/core/symmetric.h"
+#include "solver/effects/effect.h"
 #include "solver/effects/elasticity.h"
-#include "solver/effects/fields.h"
 #include "solver/effects/form.h"
-#include "solver/effects/totals.h"
 
 namespace bake {
 
-struct Plasticity {
+namespace booked {
+BAKE_FIELD(dissipated, Dissipated, 1, "dissipated", "J", "plastic work");
+}  // namespace booked
+
+struct Plasticity : Effect {
   static constexpr const char* name = "plasticity";
   static constexpr const char* meaning = "viscoplastic flow beyond a yield stress that follows temperature";
+
+  static constexpr std::array needs{"elasticity"};
 
   /// `distance`: overstress is a stress, eta in Pa s. `quadratic`: [Ding19 Eq. 12] as printed, eta in Pa^3 s.
   enum class Norm { distance, quadratic };
@@ -50,10 +56,7 @@ struct Plasticity {
   };
 
   using Stored = FieldList<field::PlasticVolumeRatio>;
-  using Transient = FieldList<>;
-  using Moments = FieldList<>;
-  using Values = FieldList<>;
-  using Gathered = FieldList<>;
+  using Booked = FieldList<booked::Dissipated>;
 
   template <class Real>
   struct Constants {
@@ -82,10 +85,7 @@ struct Plasticity {
     }
   };
 
-  template <class P>
-  static void fill(P& p, int lane, double, double) {
-    p[field::J_P][lane] = 1;
-  }
+  static void fill(auto& p, int lane, const auto&) { p[field::J_P][lane] = 1; }
 
   /// Yield stress and viscosity of fig. 8: piecewise linear, flat outside; past theta_4 they stay at their last values
   /// whatever the temperature does later, since gelatinisation is not undone. [Ding19 Sec. 5.3.2]
@@ -223,8 +223,8 @@ struct Plasticity {
   }
 
   /// Return mapping of the trial state on tau_E only (Terzaghi).   [Ding19 Eq. 11-12, Sec. 6.5]
-  template <class P, class From, class K, class S, class R>
-  BAKE_INLINE static void gather(P& p, const From&, const K& k, const S& step, R& report) {
+  BAKE_INLINE static void gather(auto& p, const auto&, const auto& k, const auto& step, auto& report) {
+    using P = std::decay_t<decltype(p)>;
     using V = typename P::V;
     using Real = typename P::Real;
     const auto& e = p[field::epsilon];
@@ -252,7 +252,23 @@ struct Plasticity {
       p[field::b_E][i] = flowing ? b.at[i] : p[field::b_E][i];
     }
     // tau_new : (eps_tr - eps_new), never negative
-    report.book(Entry::dissipated, p[field::V_0] * (k.bulk * tr_new * (tr - tr_new) + 2 * k.mu * qa * (1 - qa) * shear2));
+    report.book(booked::dissipated, p[field::V_0] * (k.bulk * tr_new * (tr - tr_new) + 2 * k.mu * qa * (1 - qa) * shear2));
+  }
+
+  static void show(auto& frame) {
+    frame.stored(field::J_P);
+    frame.made("porosity", "1", "share of the volume that is gas, 1 - (1 - n_0) / J", [](const auto& material) {
+      return [n_0 = material.initial_porosity](const auto& p) { return 1 - (1 - n_0) / p[field::J]; };
+    });
+  }
+
+  static void check_material(const auto&, const auto&, const Material& own, const auto& complaint) {
+    complaint.unless_rising("temperatures_C", {own.temperatures_C.begin(), own.temperatures_C.end()});
+  }
+
+  static const char* coefficient(const Material& own) {
+    const auto is_set = [](const auto& curve) { return std::any_of(curve.begin(), curve.end(), [](double value) { return value > 0; }); };
+    return is_set(own.yield_stress_Pa) ? "yield_stress_Pa" : is_set(own.viscosity_Pa_s) ? "viscosity_Pa_s" : "";
   }
 };
 

@@ -2,16 +2,34 @@
 // Water: Fick diffusion relative to the solid, evaporation, water stress. [Ding19 Sec. 3.2, 5.5, 6.2]
 #pragma once
 
+#include <string>
+
 #include "solver/core/parameter.h"
-#include "solver/effects/fields.h"
 #include "solver/effects/form.h"
 #include "solver/effects/heat.h"
 #include "solver/effects/motion.h"
-#include "solver/effects/totals.h"
 
 namespace bake {
 
-struct Water {
+namespace booked {
+BAKE_FIELD(evaporated, Evaporated, 1, "water_evaporated", "kg", "water that left through surfaces");
+BAKE_FIELD(water_limited, WaterLimited, 1, "water_limited", "kg", "water that nodes would have owed; zero while diffusion is stable");
+BAKE_FIELD(latent_heat, LatentHeat, 1, "latent_heat", "J", "heat taken by evaporation");
+BAKE_FIELD(vapour_heat, VapourHeat, 1, "vapour_heat", "J", "heat content of the water that evaporated, from 0 C");
+BAKE_FIELD(remap_heat, RemapHeat, 1, "water_remap_heat", "J",
+           "heat that the water's move between particles added beyond what its move between nodes did");
+BAKE_FIELD(remap_momentum, RemapMomentum, 3, "water_remap_momentum", "kg m/s", "the same of the momentum");
+}  // namespace booked
+
+namespace total {
+BAKE_FIELD(water_mass, WaterMass, 1, "water_mass", "kg", "mass of the water");
+}  // namespace total
+
+namespace bound {
+BAKE_FIELD(water_diffusivity, WaterDiffusivity, 1, "water_diffusivity", "m^2/s", "K theta s");
+}  // namespace bound
+
+struct Water : Effect {
   static constexpr const char* name = "water";
   static constexpr const char* meaning = "water moves through the solid, evaporates at the surface and pushes on the mixture";
 
@@ -49,8 +67,12 @@ struct Water {
   using Stored = FieldList<field::WaterMass>;
   using Transient = FieldList<field::WaterFlux>;
   using Moments = FieldList<channel::WaterChange>;
-  using Values = FieldList<channel::WaterMass, channel::WaterCapacity, channel::Evaporability>;
+  using Values = FieldList<channel::NodeWaterMass, channel::WaterCapacity, channel::Evaporability>;
   using Gathered = FieldList<channel::WaterRatio, channel::Saturation>;
+  using Booked =
+      FieldList<booked::Evaporated, booked::WaterLimited, booked::LatentHeat, booked::VapourHeat, booked::RemapHeat, booked::RemapMomentum>;
+  using Totals = FieldList<total::WaterMass>;
+  using Bounds = FieldList<bound::WaterDiffusivity>;
 
   template <class Real>
   struct Constants {
@@ -67,33 +89,53 @@ struct Water {
     }
   };
 
+  template <class Real>
+  struct NodeConstants {
+    Real latent_heat;
+    template <class Scene>
+    explicit NodeConstants(const Scene& scene) : latent_heat(static_cast<Real>(scene.template of<Water>().latent_heat_J_per_kg)) {}
+  };
+
+  static void describe(auto& model, const auto& scene) {
+    using Booked = typename std::decay_t<decltype(model)>::Booked;
+    model.moves_mass = true;
+    model.moved_specific_heat = scene.template of<Heat>().water_specific_heat_J_per_kgK;
+    model.left_heat_entry = Booked::template offset<booked::VapourHeat>;
+    model.moved_heat_entry = Booked::template offset<booked::RemapHeat>;
+    model.moved_momentum_entry = Booked::template offset<booked::RemapMomentum>;
+    for (const auto& material : scene.materials)
+      model.needs_surface |= material.effects.template get<Material>().evaporation_kg_per_m2sK != 0;
+  }
+
+  static void fill(auto& p, int lane, const auto& start) {
+    using Real = typename std::decay_t<decltype(p)>::Real;
+    const double rho_w = start.material.effects.template get<Material>().water_density_kg_per_m3;
+    p[field::m_s][lane] = static_cast<Real>(start.volume * (start.material.density_kg_per_m3 - rho_w * start.material.initial_saturation));
+    p[field::m_w][lane] = static_cast<Real>(start.volume * rho_w * start.saturation);
+  }
+
   /// Water does not move below 0 C.
   /// DEPARTS [Ding19 Sec. 3.2]: printed with theta alone, which turns diffusion backwards in the freezer.
-  template <class P>
-  BAKE_INLINE static auto clamped_temperature(P& p) {
-    return max(p.temperature(), 0 * p[field::m_w]);
-  }
+  BAKE_INLINE static auto clamped_temperature(auto& p) { return max(p.temperature(), 0 * p[field::m_w]); }
 
   /// m_w += m_w sum w dm_i / m_i^w, so that particles gain what the nodes gain; s = m_w / (rho_0^w V); q by Fick's law.
   /// [Ding19 Eq. 19, 22]
   /// DEPARTS [Ding19 Eq. 20]: the volume is that of the new time; with the old one and the printed div v term in (25) half
   /// of the water is gone at doubled volume.
-  template <class P, class From, class K, class S, class R>
-  BAKE_INLINE static void gather(P& p, const From& from, const K& k, const S&, R& report) {
+  BAKE_INLINE static void gather(auto& p, const auto& from, const auto& k, const auto&, auto& report) {
+    using P = std::decay_t<decltype(p)>;
     const auto gained = p[field::m_w] * from.value(channel::water_ratio);
     p[field::m_w] += gained;
-    if constexpr (P::template has<field::Temperature>) report.book(Entry::remapped_heat, k.heat * gained * p[field::theta]);
+    if constexpr (P::template has<field::Temperature>) report.book(booked::remap_heat, k.heat * gained * p[field::theta]);
     if constexpr (P::template has<field::Velocity>)
-      for (int d = 0; d < 3; ++d)
-        report.book(static_cast<Entry>(static_cast<int>(Entry::remapped_x) + d), k.inertia * gained * p[field::v][d]);
+      for (int d = 0; d < 3; ++d) report.book(booked::remap_momentum, k.inertia * gained * p[field::v][d], d);
     const auto flux = (-k.K) * clamped_temperature(p) * p[field::m_w] / p.volume();
     for (int d = 0; d < 3; ++d) p[field::q][d] = flux * from.gradient(channel::saturation, 0, d);
   }
 
   /// - J c_hat (s - s_0) I   [Ding19 Eq. 14]
-  template <class P, class K>
-  BAKE_INLINE static void stress(P& p, const K& k) {
-    if constexpr (P::template has<field::KirchhoffStress>) {
+  BAKE_INLINE static void stress(auto& p, const auto& k) {
+    if constexpr (std::decay_t<decltype(p)>::template has<field::KirchhoffStress>) {
       const auto pressure = k.c_hat * (p[field::m_w] / (k.rho_w * p[field::V_0]) - k.s_0 * p[field::J]);
       for (int i = 0; i < 3; ++i) p[field::tau][i] -= pressure;
       p.stiffness += (k.c_hat * k.s_0) * p[field::J];
@@ -101,8 +143,7 @@ struct Water {
   }
 
   /// Flux V D^-1 w (r . q).   [Ding19 Eq. 25]
-  template <class P, class To, class K, class S, class R>
-  BAKE_INLINE static void scatter(P& p, To& to, const K& k, const S& step, R&) {
+  BAKE_INLINE static void scatter(auto& p, auto& to, const auto& k, const auto& step, auto&) {
     const auto moment = (step.dt_next * step.inverse_d) * p.volume();
     to.value(channel::water_mass) += p[field::m_w];
     to.value(channel::water_capacity) += k.rho_w * p.volume();
@@ -110,14 +151,18 @@ struct Water {
     for (int j = 0; j < 3; ++j) to.moment(channel::water_change, 0, j) += moment * p[field::q][j];
   }
 
-  template <class P, class K, class S, class R>
-  BAKE_INLINE static void limits(P& p, const K& k, const S&, R& report) {
-    report.extremes.water = max(report.extremes.water, k.K * clamped_temperature(p) * p[field::m_w] / (k.rho_w * p.volume()));
+  BAKE_INLINE static void bounds(auto& p, const auto& k, const auto&, auto& report) {
+    report.bound(bound::water_diffusivity, k.K * clamped_temperature(p) * p[field::m_w] / (k.rho_w * p.volume()));
+  }
+
+  /// As forward Euler's of heat.
+  static void largest_step(const auto& most, const StepScale& at, const auto&, StepLimit& limit) {
+    const double D = most(bound::water_diffusivity);
+    if (D > 0) limit.at_most(at.safety * at.diffusion * at.dx * at.dx / D, "water diffusion");
   }
 
   /// m_i += flux - evaporation, never below zero.
-  template <class N, class S, class B>
-  BAKE_INLINE static void update(N& node, const S& step, B& booked) {
+  BAKE_INLINE static void update(auto& node, const auto& k, const auto& step, auto& budget) {
     const auto m = node[channel::water_mass], none = 0 * m;
     const auto capacity = node[channel::water_capacity];
     const auto filled = (m > 0) & (capacity > 0);
@@ -129,18 +174,54 @@ struct Water {
     const auto wanted = filled ? rate * (m / capacity - around.saturation) : none;
     const auto evaporated = min(wanted, max(after_flux, none));
     const auto kept = max(after_flux - evaporated, none);
-    book(booked, Entry::evaporated, evaporated);
-    book(booked, Entry::water_limited, filled ? kept - (after_flux - evaporated) : none);
+    budget.book(booked::evaporated, evaporated);
+    budget.book(booked::water_limited, filled ? kept - (after_flux - evaporated) : none);
     const auto moved = filled ? kept - m : none;
     node.sums.moved = moved;
     node.sums.evaporated = evaporated;
+    if constexpr (std::decay_t<decltype(node)>::template scatters<channel::HeatContent>) {
+      const auto latent = k.latent_heat * evaporated;
+      node.sums.heat_taken = latent;
+      budget.book(booked::latent_heat, latent);
+    }
     node.out(channel::water_ratio) = filled ? moved / m : none;
     node.out(channel::saturation) = capacity > 0 ? (m + moved) / capacity : none;
   }
 
-  template <class P, class K, class S, class R>
-  static void totals(P& p, const K&, const S&, R& report) {
-    report.add(Total::water_mass, p[field::m_w]);
+  static void totals(auto& p, const auto&, const auto&, auto& report) { report.add(total::water_mass, p[field::m_w]); }
+
+  static void show(auto& frame) {
+    frame.stored(field::m_w);
+    frame.made("saturation", "1", "s: share of the volume that is water", [](const auto& material) {
+      const double rho_w = material.effects.template get<Material>().water_density_kg_per_m3;
+      return [rho_w](const auto& p) { return p[field::m_w] / (rho_w * p.volume()); };
+    });
+  }
+
+  /// Something must be left for the solid.
+  static void check_material(const auto& scene, const auto& material, const Material& own, const auto& complaint) {
+    const double water = material.initial_saturation * own.water_density_kg_per_m3;
+    if (!scene.lists(name) || water < material.density_kg_per_m3) return;
+    complaint.at("initial_saturation", "found {} kg/m^3 of water in a mixture of {} kg/m^3, allowed: less water than mixture", water,
+                 material.density_kg_per_m3);
+  }
+
+  static bool swells(const Material& own) { return own.pressure_Pa > 0; }
+  /// Can evaporation cool?
+  static bool cools(const auto& scene, const Material& own) {
+    return scene.template of<Water>().latent_heat_J_per_kg > 0 && own.evaporation_kg_per_m2sK > 0;
+  }
+  static std::string idle(const auto& here) {
+    const bool acts = here.any(here.materials, [](const auto* m) {
+      const auto& own = m->effects.template get<Material>();
+      return own.diffusivity_m2_per_sK > 0 || own.evaporation_kg_per_m2sK > 0 || own.pressure_Pa > 0;
+    });
+    return acts ? ""
+                : "diffusivity_m2_per_sK, evaporation_kg_per_m2sK and pressure_Pa are zero: water only counts as mass and heat capacity";
+  }
+  static const char* coefficient(const Material& own) {
+    if (own.diffusivity_m2_per_sK > 0) return "diffusivity_m2_per_sK";
+    return own.evaporation_kg_per_m2sK > 0 ? "evaporation_kg_per_m2sK" : own.pressure_Pa > 0 ? "pressure_Pa" : "";
   }
 };
 

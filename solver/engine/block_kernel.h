@@ -45,8 +45,8 @@ template <class Real>
 struct BlockResult {
   Budget booked{};
   Totals totals{}, retired{};
-  double speed2 = 0, wave2 = 0, heat = 0, water = 0, deformation2 = 0;
-  double temperature_low = 1e30, temperature_high = -1e30;
+  Bounds bounds{};
+  Highest highest;
   std::int64_t clamped = 0;
   std::vector<Migrant<Real>> migrants;
 };
@@ -54,16 +54,11 @@ struct BlockResult {
 /// Folds lanes into sums and maxima, in a fixed order.
 template <class Real>
 void collect(const Report<Real>& report, BlockResult<Real>& result) {
-  for (int e = 0; e < k_entries; ++e) result.booked[static_cast<std::size_t>(e)] = sum_lanes(report.booked[e]);
+  for (std::size_t e = 0; e < result.booked.size(); ++e) result.booked[e] = sum_lanes(report.booked[e]);
   result.totals = report.totals;
   result.retired = report.retired;
-  result.speed2 = static_cast<double>(largest_lane(report.extremes.speed2));
-  result.wave2 = static_cast<double>(largest_lane(report.extremes.wave2));
-  result.heat = static_cast<double>(largest_lane(report.extremes.heat));
-  result.water = static_cast<double>(largest_lane(report.extremes.water));
-  result.deformation2 = static_cast<double>(largest_lane(report.extremes.deformation2));
-  result.temperature_low = static_cast<double>(smallest_lane(report.temperature_low));
-  result.temperature_high = static_cast<double>(largest_lane(report.temperature_high));
+  for (std::size_t b = 0; b < result.bounds.size(); ++b) result.bounds[b] = static_cast<double>(largest_lane(report.bounds[b]));
+  for (std::size_t h = 0; h < result.highest.size(); ++h) result.highest[h] = static_cast<double>(largest_lane(report.highest[h]));
 }
 
 /// Scratch memory of one thread.

@@ -7,7 +7,6 @@
 
 #include "solver/boundary/obstacles.h"
 #include "solver/boundary/scripted.h"
-#include "solver/effects/totals.h"
 #include "solver/grid/grid.h"
 
 namespace bake {

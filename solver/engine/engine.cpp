@@ -6,9 +6,6 @@
 
 #include "solver/core/parallel.h"
 #include "solver/effects/fields.h"
-#include "solver/effects/heat.h"
-#include "solver/effects/motion.h"
-#include "solver/effects/water.h"
 #include "solver/io/progress.h"
 
 namespace bake {
@@ -16,24 +13,12 @@ namespace bake {
 template <class Real>
 Engine<Real>::Engine(const Scene& scene)
     : scene_(scene),
-      gravity_(scene.of<Motion>().gravity_m_per_s2),
-      inertia_scale_(scene.of<Motion>().inertia_scale),
-      water_specific_heat_(scene.of<Heat>().water_specific_heat_J_per_kgK),
       geometry_(scene.domain.min_m, scene.domain.max_m, scene.dx()),
       physics_(make_physics<Real>(scene)),
       kernel_(make_block_kernel<Real>(scene.grid.kernel, *physics_)),
       contacts_(scene, geometry_),
-      limits_(scene),
       scratch_(static_cast<std::size_t>(omp_get_max_threads())) {
   store_.columns = spare_.columns = physics_->column_count;
-  const auto nonzero = [](const Curve& curve) {
-    return std::any_of(curve.points.begin(), curve.points.end(), [](const Curve::Point& p) { return p.value != 0; });
-  };
-  bool exchanges = nonzero(scene.oven.exchange_W_per_m2K);
-  for (const Collider& c : scene.colliders) exchanges |= c.exchange_W_per_m2K != 0;
-  bool evaporates = false;
-  for (const Material& m : scene.materials) evaporates |= of<Water>(m).evaporation_kg_per_m2sK != 0;
-  has_surface_ = (physics_->has_heat && exchanges) || (physics_->has_water && evaporates);
 }
 
 template <class Real>
@@ -81,7 +66,7 @@ void Engine<Real>::report_broken(const Migrant<Real>& migrant) const {
 
 template <class Real>
 double Engine<Real>::next_step(double from, double target, double next_target) {
-  const StepLimit limit = limits_.largest(extremes_, contacts_.largest_speed());
+  const StepLimit limit = largest_step(scene_, *physics_, bounds_, contacts_.largest_speed());
   const bool reached = from >= target;
   const double left = (reached ? next_target : target) - from;
   if (limit.dt < scene_.time.smallest_step_s)
@@ -133,8 +118,11 @@ void Engine<Real>::pass(double next_dt, bool sample) {
         kernel_->advance(w, b, scratch, results_[static_cast<std::size_t>(b)], sample);
     });
   dt_ = next_dt;
-  extremes_ = {};
-  if (sample) totals_ = {}, temperature_low_ = 1e30, temperature_high_ = -1e30;
+  bounds_ = {};
+  if (sample) {
+    totals_ = {};
+    highest_.fill(k_lowest);
+  }
   reduce(results_);
   std::vector<Migrant<Real>> migrants;
   for (auto& r : results_)
@@ -147,13 +135,8 @@ void Engine<Real>::reduce(const std::vector<BlockResult<Real>>& results) {
   for (const BlockResult<Real>& r : results) {
     add_to(booked_, r.booked);
     for (std::size_t i = 0; i < totals_.size(); ++i) totals_[i] += r.totals[i], retired_[i] += r.retired[i];
-    extremes_.speed2 = std::max(extremes_.speed2, r.speed2);
-    extremes_.wave2 = std::max(extremes_.wave2, r.wave2);
-    extremes_.heat = std::max(extremes_.heat, r.heat);
-    extremes_.water = std::max(extremes_.water, r.water);
-    extremes_.deformation2 = std::max(extremes_.deformation2, r.deformation2);
-    temperature_low_ = std::min(temperature_low_, r.temperature_low);
-    temperature_high_ = std::max(temperature_high_, r.temperature_high);
+    raise_to(bounds_, r.bounds);
+    raise_to(highest_, r.highest);
     counters_.clamped += r.clamped;
   }
 }

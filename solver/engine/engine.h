@@ -46,13 +46,12 @@ class Engine {
   double dt() const { return dt_; }
   const Counters& counters() const { return counters_; }
   std::size_t identities_given() const { return static_cast<std::size_t>(next_identity_); }  ///< those of particles are below
-  const Budget& booked() const { return booked_; }    ///< sums since the start (area: of the last step)
-  const Totals& totals() const { return totals_; }    ///< at the last sample
-  const Totals& retired() const { return retired_; }  ///< sums since the start over particles when they left
-  const Totals& emitted() const { return emitted_; }  ///< sums since the start over particles when they were poured
-  double temperature_low() const { return temperature_low_; }
-  double temperature_high() const { return temperature_high_; }
-  double largest_speed() const { return std::sqrt(extremes_.speed2); }
+  const Budget& booked() const { return booked_; }     ///< sums since the start (area: of the last step)
+  const Totals& totals() const { return totals_; }     ///< at the last sample
+  const Totals& retired() const { return retired_; }   ///< sums since the start over particles when they left
+  const Totals& emitted() const { return emitted_; }   ///< sums since the start over particles when they were poured
+  const Highest& highest() const { return highest_; }  ///< at the last sample; -1e30 without particles
+  const Bounds& bounds() const { return bounds_; }     ///< of the last step
   const PhaseSeconds& phases() const { return phases_; }
   std::size_t particles() const { return particle_count_; }
   const ParticleStore<Real>& store() const { return store_; }
@@ -88,7 +87,7 @@ class Engine {
   void book_momentum(std::size_t slot, const NodeSums<Real>* sums, const Lanes<Real> (*nodes)[k_most_channels], const Lanes<Real> (&dv)[3],
                      Budget& booked) const;
   template <class Theta>
-  void book_water_heat(const NodeSums<Real>* sums, Theta theta, Budget& booked) const;
+  void book_moved_heat(const NodeSums<Real>* sums, Theta theta, Budget& booked) const;
   Lanes<Real> temperatures(std::size_t slot, int pack) const;
   void pass(double next_dt, bool sample);
   void migrate_particles(std::vector<Migrant<Real>>& migrants);
@@ -102,15 +101,12 @@ class Engine {
   std::int32_t home_of(const BlockIndex& block) const;
 
   const Scene& scene_;
-  const Vector3 gravity_;                             ///< [m/s^2]
-  const double inertia_scale_, water_specific_heat_;  ///< 1 and J/(kg K); looked up here once, for blocks ask for them
   GridGeometry geometry_;
   std::unique_ptr<Physics<Real>> physics_;
   std::unique_ptr<BlockKernel<Real>> kernel_;
   Contacts contacts_;
   NodalForce force_;
   FreeSurfaceMeasure<Real> surface_;
-  StepLimits limits_;
 
   ParticleStore<Real> store_, spare_;
   AlignedBuffer<Real> scattered_, spare_rows_;  ///< what the next grid update takes; a spare one to move it into other blocks
@@ -128,13 +124,12 @@ class Engine {
   double time_ = 0, dt_ = 0;
   std::int64_t next_identity_ = 0;
   std::size_t particle_count_ = 0;
-  bool has_surface_ = false;
-  Maxima extremes_;
+  Bounds bounds_{};
+  Highest highest_{};
   Counters counters_;
   PhaseSeconds phases_;
   Budget booked_{};
   Totals totals_{}, retired_{}, emitted_{};
-  double temperature_low_ = 0, temperature_high_ = 0;
 };
 
 extern template class Engine<float>;

@@ -18,18 +18,12 @@ void Engine<Real>::write(CheckpointWriter& out) const {
   out.add("tiles", std::span<const std::int32_t>(tiles));
   out.add("particles", std::span<const Real>(store_.data.data(), store_.data.size()));
   out.add("grid", std::span<const Real>(scattered_.data(), scattered_.size()));
-  const double numbers[] = {time_,
-                            dt_,
-                            extremes_.speed2,
-                            extremes_.wave2,
-                            extremes_.heat,
-                            extremes_.water,
-                            extremes_.deformation2,
-                            temperature_low_,
-                            temperature_high_};
+  const double numbers[] = {time_, dt_};
   out.add("numbers", std::span<const double>(numbers));
   out.add("booked", std::span<const double>(booked_));
   out.add("totals", std::span<const double>(totals_));
+  out.add("bounds", std::span<const double>(bounds_));
+  out.add("highest", std::span<const double>(highest_));
   out.add("retired", std::span<const double>(retired_));
   out.add("emitted", std::span<const double>(emitted_));
   const std::int64_t counts[] = {counters_.steps,   counters_.particle_steps, counters_.orderings,
@@ -42,14 +36,16 @@ void Engine<Real>::read(const CheckpointReader& in) {
   const auto blocks = in.array<std::int32_t>("blocks"), tiles = in.array<std::int32_t>("tiles");
   const auto particles = in.array<Real>("particles"), grid = in.array<Real>("grid");
   const auto numbers = in.array<double>("numbers"), booked = in.array<double>("booked"), totals = in.array<double>("totals"),
-             retired = in.array<double>("retired"), emitted = in.array<double>("emitted");
+             retired = in.array<double>("retired"), emitted = in.array<double>("emitted"), bounds = in.array<double>("bounds"),
+             highest = in.array<double>("highest");
   const auto counts = in.array<std::int64_t>("counts");
   const auto expect = [](bool fits) {
     if (!fits)
       throw InputError("the checkpoint's arrays do not fit this program's layout, allowed: a checkpoint written by the same version");
   };
-  expect(blocks.size() % 12 == 0 && tiles.size() % 2 == 0 && numbers.size() == 9 && booked.size() == booked_.size() &&
-         totals.size() == totals_.size() && retired.size() == totals.size() && emitted.size() == totals.size() && counts.size() == 6);
+  expect(blocks.size() % 12 == 0 && tiles.size() % 2 == 0 && numbers.size() == 2 && booked.size() == booked_.size() &&
+         totals.size() == totals_.size() && retired.size() == totals.size() && emitted.size() == totals.size() &&
+         bounds.size() == bounds_.size() && highest.size() == highest_.size() && counts.size() == 6);
   store_.blocks.resize(blocks.size() / 12);
   for (std::size_t i = 0; i < store_.blocks.size(); ++i) {
     const std::int32_t* b = &blocks[12 * i];
@@ -91,9 +87,9 @@ void Engine<Real>::read(const CheckpointReader& in) {
   std::copy(retired.begin(), retired.end(), retired_.begin());
   std::copy(emitted.begin(), emitted.end(), emitted_.begin());
   time_ = numbers[0], dt_ = numbers[1];
-  extremes_ = {numbers[2], numbers[3], numbers[4], numbers[5], numbers[6]};
+  std::copy(bounds.begin(), bounds.end(), bounds_.begin());
+  std::copy(highest.begin(), highest.end(), highest_.begin());
   counters_ = {counts[0], counts[1], counts[2], counts[3], counts[4]};
-  temperature_low_ = numbers[7], temperature_high_ = numbers[8];
   next_identity_ = counts[5];
 }
 

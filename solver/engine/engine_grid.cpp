@@ -6,7 +6,6 @@
 #include "solver/core/rows.h"
 #include "solver/core/vector3.h"
 #include "solver/effects/fields.h"
-#include "solver/effects/heat.h"
 #include "solver/engine/engine.h"
 
 namespace bake {
@@ -14,10 +13,10 @@ namespace bake {
 namespace {
 
 void book_impulse(const Point& x, const Vector3& impulse, Budget& booked) {
-  const Vector3 twist = cross(x, impulse);
+  const Vector3 angular_impulse = cross(x, impulse);
   for (std::size_t d = 0; d < 3; ++d) {
-    booked[static_cast<std::size_t>(Entry::impulse_x) + d] += impulse[d];
-    booked[static_cast<std::size_t>(Entry::twist_x) + d] += twist[d];
+    booked[k_impulse_entry + d] += impulse[d];
+    booked[k_angular_impulse_entry + d] += angular_impulse[d];
   }
 }
 
@@ -32,11 +31,11 @@ struct NodeCoordinates {
 template <class Real>
 constexpr NodeCoordinates<Real> k_coordinates;
 
-/// Impulses on the nodes of a block, and their twist about its first node.
+/// Impulses on the nodes of a block, and their angular impulse about its first node.
 template <class Real>
 struct Impulses {
   using V = Lanes<Real>;
-  V sum[3] = {}, twist[3] = {};  ///< [kg m/s]; the twist per node distance
+  V sum[3] = {}, angular[3] = {};  ///< [kg m/s]; the angular impulse per node distance
   /// Of the nodes `first`, `first` + 1, ...
   BAKE_INLINE void add(int first, const V (&impulse)[3]) {
     for (int d = 0; d < 3; ++d) {
@@ -44,13 +43,13 @@ struct Impulses {
       const V &x_e = *reinterpret_cast<const V*>(k_coordinates<Real>.along[e] + first),
               &x_f = *reinterpret_cast<const V*>(k_coordinates<Real>.along[f] + first);
       sum[d] += impulse[d];
-      twist[d] += x_e * impulse[f] - x_f * impulse[e];
+      angular[d] += x_e * impulse[f] - x_f * impulse[e];
     }
   }
   void book(const Point& origin, double dx, Budget& booked) const {
     const Vector3 total{sum_lanes(sum[0]), sum_lanes(sum[1]), sum_lanes(sum[2])};
     book_impulse(origin, total, booked);
-    for (std::size_t d = 0; d < 3; ++d) booked[static_cast<std::size_t>(Entry::twist_x) + d] += dx * sum_lanes(twist[d]);
+    for (std::size_t d = 0; d < 3; ++d) booked[k_angular_impulse_entry + d] += dx * sum_lanes(angular[d]);
   }
 };
 
@@ -68,7 +67,7 @@ void Engine<Real>::update_grid() {
   const Step<Real> step = current_step();
   active_.find_touched(store_.blocks);
   Air air;
-  if (has_surface_) {
+  if (physics_->needs_surface) {
     air = {scene_.oven.exchange_W_per_m2K(time_), scene_.oven.temperature_C(time_), scene_.oven.equilibrium_saturation(time_)};
     if (scene_.surface.form == Form::standard)
       surface_.measure(scattered_.data(), scattered_row(), physics_->volume_channel, active_, geometry_, contacts_);
@@ -79,7 +78,7 @@ void Engine<Real>::update_grid() {
   gathered_.resize_and_forget(nodes * static_cast<std::size_t>(gathered_row()));
   const bool implicit = physics_->implicit_heat;
   if (implicit) heat_weight_.assign(nodes, Real(0)), exchange_.assign(nodes, Real(0));
-  if (implicit && physics_->has_water) sums_.resize(blocks * k_packs<Real>);
+  if (implicit && physics_->moves_mass) sums_.resize(blocks * k_packs<Real>);
   block_budgets_.resize(blocks);
   for_each_parallel(blocks, 16, [&](std::size_t s) {
     block_budgets_[s] = {};
@@ -87,16 +86,16 @@ void Engine<Real>::update_grid() {
   });
   if (implicit) {
     const BlockWork<Real> w = work(step);
-    booked_[static_cast<std::size_t>(Entry::exchanged)] +=
+    booked_[static_cast<std::size_t>(physics_->heat_entry)] +=
         implicit_heat_.solve(*kernel_, w, colours_.columns, scratch_, heat_weight_, exchange_, physics_->temperature_channel, dt_,
-                             scene_.of<Heat>().tolerance, gathered_);
-    if (physics_->has_water)
+                             physics_->heat_tolerance, gathered_);
+    if (physics_->moves_mass)
       for (std::size_t s = 0; s < blocks; ++s)
         if (active_.touched[s])
-          book_water_heat(
+          book_moved_heat(
               &sums_[s * k_packs<Real>], [&](int pack) { return temperatures(s, pack); }, block_budgets_[s]);
   }
-  booked_[static_cast<std::size_t>(Entry::area)] = booked_[static_cast<std::size_t>(Entry::contact_area)] = 0;  // of this step, not a sum
+  booked_[k_area_entry] = booked_[k_contact_area_entry] = 0;  // of this step, not a sum
   for (const Budget& b : block_budgets_) add_to(booked_, b);
 }
 
@@ -115,9 +114,9 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
   }
   const bool at_contact = (physics_->moves || contacts_.holds_temperatures()) && contacts_.near(active_.at[s], 0);
   BlockSurroundings<Real> surface;
-  const bool has_surface = has_surface_ && surface_.surround(s, active_, air, surface);
+  const bool has_surface = physics_->needs_surface && surface_.surround(s, active_, air, surface);
   Lanes<Real> in[k_most_channels], dv[3];
-  for (std::size_t d = 0; d < 3; ++d) dv[d] = lanes<Real>(static_cast<Real>(dt_ * gravity_[d] / inertia_scale_));
+  for (std::size_t d = 0; d < 3; ++d) dv[d] = lanes<Real>(static_cast<Real>(dt_ * physics_->gravity[d] / physics_->inertia_scale));
   Lanes<Real> out[k_packs<Real>][k_most_channels];
   NodeSums<Real> sums[k_packs<Real>];
   for (int pack = 0; pack < k_packs<Real>; ++pack) {
@@ -141,16 +140,16 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
     change_velocities(s, sums, out, booked, [&](const Point& x, const Vector3& v) { return contacts_.velocity_after(x, v); });
   for (std::size_t pack = 0; pack < k_packs<Real>; ++pack) kernel_->put_nodes(out[pack], rows + pack * W * RG);
   if (physics_->moves) book_momentum(s, sums, out, dv, booked);
-  if (physics_->has_heat && physics_->has_water) {
+  if (physics_->temperature_channel >= 0 && physics_->moves_mass) {
     if (physics_->implicit_heat)
       std::copy(sums, sums + k_packs<Real>, &sums_[s * k_packs<Real>]);  // until the temperatures are known
     else
-      book_water_heat(
+      book_moved_heat(
           sums, [&](int pack) { return out[pack][physics_->temperature_channel]; }, booked);
   }
   if (has_surface) {
-    booked[static_cast<std::size_t>(Entry::area)] += sum_over_block(surface.area);
-    booked[static_cast<std::size_t>(Entry::contact_area)] += sum_over_block(surface.contact_area);
+    booked[k_area_entry] += sum_over_block(surface.area);
+    booked[k_contact_area_entry] += sum_over_block(surface.contact_area);
   }
 }
 
@@ -186,15 +185,15 @@ void Engine<Real>::hold_temperatures(std::size_t slot, int first, Surroundings<R
     }
 }
 
-/// What gravity gives, what evaporating water takes along, and what moves between nodes against what moves between particles
-/// (Water::gather). With the step's final velocities.
+/// What gravity gives, what mass takes along that leaves the nodes, and what moves between nodes against what moves between particles
+/// (which the effect books). With the step's final velocities.
 template <class Real>
 void Engine<Real>::book_momentum(std::size_t slot, const NodeSums<Real>* sums, const Lanes<Real> (*nodes)[k_most_channels],
                                  const Lanes<Real> (&dv)[3], Budget& booked) const {
   using V = Lanes<Real>;
   Impulses<Real> impulses;
   V moved[3] = {};
-  const auto inertia = static_cast<Real>(inertia_scale_);
+  const auto inertia = static_cast<Real>(physics_->inertia_scale);
   for (int pack = 0; pack < k_packs<Real>; ++pack) {
     V impulse[3];
     for (int d = 0; d < 3; ++d) {
@@ -204,20 +203,22 @@ void Engine<Real>::book_momentum(std::size_t slot, const NodeSums<Real>* sums, c
     impulses.add(pack * k_width<Real>, impulse);
   }
   impulses.book(geometry_.origin(active_.at[slot]), geometry_.dx(), booked);
-  for (std::size_t d = 0; d < 3; ++d) booked[static_cast<std::size_t>(Entry::remapped_x) + d] -= inertia_scale_ * sum_lanes(moved[d]);
+  if (!physics_->moves_mass) return;
+  for (std::size_t d = 0; d < 3; ++d)
+    booked[static_cast<std::size_t>(physics_->moved_momentum_entry) + d] -= physics_->inertia_scale * sum_lanes(moved[d]);
 }
 
 /// The same of heat, with the step's final temperatures: theta(pack) are those of W nodes.
 template <class Real>
 template <class Theta>
-void Engine<Real>::book_water_heat(const NodeSums<Real>* sums, Theta theta, Budget& booked) const {
+void Engine<Real>::book_moved_heat(const NodeSums<Real>* sums, Theta theta, Budget& booked) const {
   Lanes<Real> moved{}, vapour{};  // [kg C]
   for (int pack = 0; pack < k_packs<Real>; ++pack) {
     moved += sums[pack].moved * theta(pack);
     vapour += sums[pack].evaporated * theta(pack);
   }
-  booked[static_cast<std::size_t>(Entry::vapour_heat)] += water_specific_heat_ * sum_lanes(vapour);
-  booked[static_cast<std::size_t>(Entry::remapped_heat)] -= water_specific_heat_ * sum_lanes(moved);
+  booked[static_cast<std::size_t>(physics_->left_heat_entry)] += physics_->moved_specific_heat * sum_lanes(vapour);
+  booked[static_cast<std::size_t>(physics_->moved_heat_entry)] -= physics_->moved_specific_heat * sum_lanes(moved);
 }
 
 template <class Real>

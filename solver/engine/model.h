@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A model is a list of effects, composed at compile time: columns, channels and code of the effects that are in the list,
-// and of no others.
-//
-// An effect may define any of these static functions; the model calls those that are there, effect by effect:
-//     fill     start values of its columns, from a temperature and a share of leavener
-//     gather   from the nodes to the particle, state advanced to t + dt
-//     stress   its part of the mixture's Kirchhoff stress, and its stiffness
-//     scatter  what the particle gives to the nodes
-//     limits   what bounds the step
-//     update   what happens at a node (in reverse order: water, then heat, then motion)
-//     totals   sums for the ledger
+// A model is a list of effects, composed at compile time: columns, channels and code of the effects that are in the list, and of no
+// others. What an effect may define stands in solver/effects/effect.h.
 #pragma once
 
 #include <bit>
@@ -24,20 +15,31 @@
 
 namespace bake {
 
-/// What every particle has whatever the effects.
-struct CommonFields {
-  using Stored = FieldList<field::Position, field::Identity, field::InitialVolume, field::SolidMass>;
-};
-
 template <class Real, class... Effects>
 class Model final : public Physics<Real> {
  public:
   using typename Physics<Real>::V;
-  using Stored = Joined<CommonFields::Stored, typename Effects::Stored...>;
+  using Stored = Joined<Common::Stored, typename Effects::Stored...>;
   using Transient = Joined<typename Effects::Transient...>;
   using Scattered = Joined<typename Effects::Moments..., typename Effects::Values...>;
   using Gathered = Joined<typename Effects::Gathered...>;
+  using Booked = Joined<Common::Booked, typename Effects::Booked...>;
+  using Totals = Joined<Common::Totals, typename Effects::Totals...>;
+  using Highest = Joined<typename Effects::Highest...>;
+  using Bounds = Joined<typename Effects::Bounds...>;
   static constexpr int k_moments = (0 + ... + Effects::Moments::width);
+  static_assert(Booked::width <= k_most_booked && Totals::width <= k_most_totals && Highest::width <= k_most_highest &&
+                    Bounds::width <= k_most_bounds,
+                "more quantities than solver/engine/physics.h has room for");
+  // What the engine takes for granted.
+  static_assert(Stored::template offset<field::Position> == 0 && Stored::template offset<field::Identity> == 3);
+  static_assert(!Gathered::template has<channel::NodeVelocity> || Gathered::template offset<channel::NodeVelocity> == 0);
+  static_assert(!Gathered::template has<channel::NodeTemperature> ||
+                Gathered::template offset<channel::NodeTemperature> == Gathered::template offset<channel::TemperatureChange> + 1);
+  static_assert(Booked::template offset<booked::Impulse> == k_impulse_entry &&
+                Booked::template offset<booked::AngularImpulse> == k_angular_impulse_entry &&
+                Booked::template offset<booked::Area> == k_area_entry &&
+                Booked::template offset<booked::ContactArea> == k_contact_area_entry);
 
   explicit Model(const Scene& scene);
 
@@ -47,18 +49,24 @@ class Model final : public Physics<Real> {
              Report<Real>& report) const override;
   void update_nodes(const V* scattered, V* gathered, NodeSums<Real>& sums, const Surroundings<Real>& around, const Step<Real>& step,
                     Budget& booked) const override;
+  void limit_step(const bake::Bounds& most, const StepScale& at, const Scene& scene, StepLimit& limit) const override;
   V conductance(const V* columns, int material) const override;
   void fill(V* columns, int lane, int material, double volume, const Body& body) const override;
 
  private:
   template <class Effect>
   using ConstantsOf = typename Effect::template Constants<Real>;
+  template <class Effect>
+  using NodeConstantsOf = typename Effect::template NodeConstants<Real>;
   struct Constants {
     Real theta_0;
-    double solid_density, water_per_saturation, s_0;  ///< to fill particles
     std::tuple<ConstantsOf<Effects>...> effects;
   };
 
+  struct Books;
+  struct NodeBooks;
+  struct Shown;
+  struct FrameColumns;
   struct Particle;
   struct From;
   struct To;
@@ -69,8 +77,78 @@ class Model final : public Physics<Real> {
   void stress_and_scatter(Particle& p, const Constants& k, V* scattered, int stride, const Step<Real>& step, Report<Real>& report) const;
 
   std::vector<Constants> materials_;
-  Real inertia_, latent_heat_, water_specific_heat_;
-  bool published_exchange_;
+  std::vector<Material> described_;  ///< as the scene has them, to fill particles
+  std::tuple<NodeConstantsOf<Effects>...> nodes_;
+};
+
+/// A report as the effects see it.
+template <class Real, class... Effects>
+struct Model<Real, Effects...>::Books {
+  Report<Real>& report;
+  const Real (&origin)[3] = report.origin;  ///< position of the block's first node [m]
+
+  template <class Q>
+  BAKE_INLINE void book(Q, V amount, int i = 0) {
+    report.booked[Booked::template offset<Q> + i] += report.alive * amount;
+  }
+  template <class Q>
+  void add(Q, V amount, int i = 0) {
+    report.totals[static_cast<std::size_t>(Totals::template offset<Q> + i)] += sum_lanes(report.alive * amount);
+  }
+  template <class Q>
+  BAKE_INLINE void highest(Q, V value) {
+    V& most = report.highest[Highest::template offset<Q>];
+    most = max(most, value);
+  }
+  template <class Q>
+  BAKE_INLINE void bound(Q, V value) {
+    V& most = report.bounds[Bounds::template offset<Q>];
+    most = max(most, value);
+  }
+};
+
+/// A budget as the effects see it at W nodes.
+template <class Real, class... Effects>
+struct Model<Real, Effects...>::NodeBooks {
+  Budget& budget;
+  template <class Q>
+  BAKE_INLINE void book(Q, V amount) {
+    budget[static_cast<std::size_t>(Booked::template offset<Q>)] += sum_lanes(amount);
+  }
+};
+
+/// One particle's stored numbers, in double.
+template <class Real, class... Effects>
+struct Model<Real, Effects...>::Shown {
+  const V* columns;
+  int lane;
+  template <class F>
+  double operator[](F) const {
+    return static_cast<double>(columns[Stored::template offset<F>][lane]);
+  }
+  double volume() const {
+    if constexpr (Stored::template has<field::VolumeRatio>) return (*this)[field::V_0] * (*this)[field::J];
+    return (*this)[field::V_0];
+  }
+};
+
+/// Takes down what the effects show of their particles in frames.
+template <class Real, class... Effects>
+struct Model<Real, Effects...>::FrameColumns {
+  Model& model;
+  template <class F>
+  void stored(F) {
+    model.frame_columns.push_back({F::name, F::unit, [](const V* columns, int lane, int) { return Shown{columns, lane}[F{}]; }});
+  }
+  /// `maker(material)` gives the function of a particle.
+  template <class Maker>
+  void made(const char* name, const char* unit, const char*, Maker maker) {
+    std::vector<decltype(maker(model.described_.front()))> of;
+    for (const Material& material : model.described_) of.push_back(maker(material));
+    model.frame_columns.push_back({name, unit, [of](const V* columns, int lane, int material) {
+                                     return of[static_cast<std::size_t>(material)](Shown{columns, lane});
+                                   }});
+  }
 };
 
 /// W particles: p[field] is a column or a transient number (one pack of lanes, or an array of them).
@@ -161,9 +239,6 @@ struct Model<Real, Effects...>::Node {
   V* gathered;
   const Surroundings<Real>& surroundings;
   NodeSums<Real>& sums;
-  Real inertia;  ///< inertial mass per mass
-  Real latent_heat_per_kg, water_specific_heat;
-  bool published_exchange;
 
   template <class C>
   static constexpr bool scatters = Scattered::template has<C>;
@@ -181,61 +256,65 @@ struct Model<Real, Effects...>::Node {
   }
 };
 
-// Calls the expression for every effect that has such a function; `constants` are the effect's own.
-#define BAKE_FOR_EACH_EFFECT(...)                                                                                              \
+// Calls a hook of every effect that has it; `constants` are the effect's own.
+#define BAKE_FOR_EACH_EFFECT(hook, ...)                                                                                        \
   {                                                                                                                            \
     const auto one = [&]<class Effect>([[maybe_unused]] const ConstantsOf<Effect>& constants) __attribute__((always_inline)) { \
-      if constexpr (requires { __VA_ARGS__; }) __VA_ARGS__;                                                                    \
+      BAKE_CALL(Effect, hook, __VA_ARGS__);                                                                                    \
     };                                                                                                                         \
     (one.template operator()<Effects>(std::get<ConstantsOf<Effects>>(k.effects)), ...);                                        \
   }
 
-template <class Real, class... Effects>
-Model<Real, Effects...>::Model(const Scene& scene) {
+/// Where the numbers of a list stand, by the names of its fields or by their symbols.
+template <class List, class Quantities>
+void list_quantities(Quantities& quantities, bool by_symbol) {
   int at = 0;
-  Stored::for_each([&](auto f) {
-    this->columns.push_back({f.name, f.unit, at, f.width});
+  List::for_each([&](auto f) {
+    quantities.push_back({by_symbol ? f.symbol : f.name, f.unit, at, f.width});
     at += f.width;
   });
-  this->column_count = at;
+}
+
+template <class Real, class... Effects>
+Model<Real, Effects...>::Model(const Scene& scene) : described_(scene.materials), nodes_(NodeConstantsOf<Effects>(scene)...) {
+  list_quantities<Stored>(this->columns, false);
+  list_quantities<Booked>(this->booked, true);
+  list_quantities<Totals>(this->totals, true);
+  list_quantities<Highest>(this->highest, true);
+  list_quantities<Bounds>(this->bounds, true);
+  this->column_count = Stored::width;
   this->scatter_channels = Scattered::width;
   this->moment_channels = k_moments;
   this->gather_channels = Gathered::width;
-  this->moves = Stored::template has<field::VolumeRatio>;
-  this->has_heat = Stored::template has<field::Temperature>;
-  this->has_water = Stored::template has<field::WaterMass>;
-  this->implicit_heat = this->has_heat && scene.of<Heat>().integrator == Heat::Integrator::backward_euler;
   if constexpr (Scattered::template has<channel::Volume>) this->volume_channel = Scattered::template offset<channel::Volume>;
   if constexpr (Scattered::template has<channel::Mass>)
     this->filled_channel = Scattered::template offset<channel::Mass>;
   else
     this->filled_channel = this->volume_channel;
-  if constexpr (Gathered::template has<channel::NodeTemperature>)
-    this->temperature_channel = Gathered::template offset<channel::NodeTemperature>;
-  inertia_ = static_cast<Real>(scene.of<Motion>().inertia_scale);
-  latent_heat_ = static_cast<Real>(scene.of<Water>().latent_heat_J_per_kg);
-  water_specific_heat_ = static_cast<Real>(scene.of<Heat>().water_specific_heat_J_per_kgK);
-  published_exchange_ = scene.of<Heat>().exchange_form == Form::published;
   for (const Material& m : scene.materials)
-    materials_.push_back({static_cast<Real>(m.initial_temperature_C),
-                          m.density_kg_per_m3,
-                          this->has_water ? of<Water>(m).water_density_kg_per_m3 : 0,
-                          m.initial_saturation,
-                          {ConstantsOf<Effects>(scene, m)...}});
+    materials_.push_back({static_cast<Real>(m.initial_temperature_C), {ConstantsOf<Effects>(scene, m)...}});
+
+  FrameColumns frame{*this};
+  const auto one = [&]<class Effect>() {
+    BAKE_CALL(Effect, describe, *this, scene);
+    BAKE_CALL(Effect, show, frame);
+  };
+  one.template operator()<Common>();
+  (one.template operator()<Effects>(), ...);
 }
 
 template <class Real, class... Effects>
 void Model<Real, Effects...>::fill(V* columns, int lane, int material, double volume, const Body& body) const {
   const Constants& k = materials_[static_cast<std::size_t>(material)];
+  const Material& m = described_[static_cast<std::size_t>(material)];
   Particle p(columns, k);
-  const double theta = body.temperature_C.value_or(static_cast<double>(k.theta_0));
-  const double saturation = body.saturation.value_or(k.s_0);
-  // Density is that of the mixture at the material's own saturation: a wetter body has more water on the same solid.
-  p[field::V_0][lane] = static_cast<Real>(volume);
-  p[field::m_s][lane] = static_cast<Real>(volume * (k.solid_density - k.water_per_saturation * k.s_0));
-  if constexpr (Stored::template has<field::WaterMass>)
-    p[field::m_w][lane] = static_cast<Real>(volume * k.water_per_saturation * saturation);
-  BAKE_FOR_EACH_EFFECT(Effect::fill(p, lane, theta, body.leavener));
+  const struct {
+    double volume, temperature_C, saturation, leavener;
+    const Material& material;
+  } start{volume, body.temperature_C.value_or(static_cast<double>(k.theta_0)), body.saturation.value_or(m.initial_saturation),
+          body.leavener, m};
+  Common::fill(p, lane, start);
+  BAKE_FOR_EACH_EFFECT(fill, p, lane, start);
 }
 
 template <class Real, class... Effects>
@@ -244,7 +323,8 @@ void Model<Real, Effects...>::advance(V* columns, int material, const V* gathere
   const Constants k = materials_[static_cast<std::size_t>(material)];
   Particle p(columns, k);
   const From from{gathered, gather_stride};
-  BAKE_FOR_EACH_EFFECT(Effect::gather(p, from, constants, step, report));
+  Books books{report};
+  BAKE_FOR_EACH_EFFECT(gather, p, from, constants, step, books);
   if constexpr (Stored::template has<field::VolumeRatio>)
     if (__builtin_expect(report.obstacles != nullptr, 0)) push_out(p, step, report);
   stress_and_scatter(p, k, scattered, scatter_stride, step, report);
@@ -272,7 +352,7 @@ BAKE_INLINE void Model<Real, Effects...>::stress_and_scatter(Particle& p, const 
                                                              const Step<Real>& step, Report<Real>& report) const {
   if constexpr (Particle::template has<field::KirchhoffStress>)
     for (V& component : p[field::tau]) component = V{};
-  BAKE_FOR_EACH_EFFECT(Effect::stress(p, constants));
+  BAKE_FOR_EACH_EFFECT(stress, p, constants);
   // before the scatter: what a particle still owes the nodes is not yet theirs
   if constexpr (Stored::template has<field::VolumeRatio>) {
     const auto leaving = report.leaving(p[field::x]);
@@ -280,8 +360,9 @@ BAKE_INLINE void Model<Real, Effects...>::stress_and_scatter(Particle& p, const 
   }
   if (report.totals_wanted) count(p, k, step, report);
   To to;
-  BAKE_FOR_EACH_EFFECT(Effect::scatter(p, to, constants, step, report));
-  BAKE_FOR_EACH_EFFECT(Effect::limits(p, constants, step, report));
+  Books books{report};
+  BAKE_FOR_EACH_EFFECT(scatter, p, to, constants, step, books);
+  BAKE_FOR_EACH_EFFECT(bounds, p, constants, step, books);
   for (int c = 0; c < Scattered::width; ++c) scattered[c] = to.values[c];
   for (int axis = 0; axis < 3; ++axis)
     for (int c = 0; c < k_moments; ++c) scattered[(1 + axis) * stride + c] = step.dx * to.moments[c][axis];
@@ -290,7 +371,7 @@ BAKE_INLINE void Model<Real, Effects...>::stress_and_scatter(Particle& p, const 
 /// Particles that an obstacle expels; what it gives them is booked.
 template <class Real, class... Effects>
 void Model<Real, Effects...>::push_out(Particle& p, const Step<Real>& step, Report<Real>& report) const {
-  const V mass = inertia_ * p.mass();
+  const V mass = static_cast<Real>(this->inertia_scale) * p.mass();
   for (int l = 0; l < k_width<Real>; ++l) {
     if (report.alive[l] == 0) continue;
     Point x;
@@ -303,13 +384,13 @@ void Model<Real, Effects...>::push_out(Particle& p, const Step<Real>& step, Repo
     const Vector3 v_0 = v;
     if (!report.obstacles->push_out(x, v)) continue;
     const auto m = static_cast<double>(mass[l]);
-    const Vector3 impulse = m * (v - v_0), twist = m * (cross(x, v) - cross(x_0, v_0));
+    const Vector3 impulse = m * (v - v_0), angular_impulse = m * (cross(x, v) - cross(x_0, v_0));
     for (int d = 0; d < 3; ++d) {
       const auto i = static_cast<std::size_t>(d);
       p[field::x][d][l] += static_cast<Real>(x[i] - x_0[i]) / step.dx;
       p[field::v][d][l] = static_cast<Real>(v[i]);
-      report.booked[static_cast<int>(Entry::impulse_x) + d][l] += static_cast<Real>(impulse[i]);
-      report.booked[static_cast<int>(Entry::twist_x) + d][l] += static_cast<Real>(twist[i]);
+      report.booked[k_impulse_entry + d][l] += static_cast<Real>(impulse[i]);
+      report.booked[k_angular_impulse_entry + d][l] += static_cast<Real>(angular_impulse[i]);
     }
   }
 }
@@ -317,9 +398,9 @@ void Model<Real, Effects...>::push_out(Particle& p, const Step<Real>& step, Repo
 /// Sums for the ledger over the lanes that are alive.
 template <class Real, class... Effects>
 void Model<Real, Effects...>::count(Particle& p, const Constants& k, const Step<Real>& step, Report<Real>& report) const {
-  report.add(Total::solid_mass, p[field::m_s]);
-  report.add(Total::volume, p.volume());
-  BAKE_FOR_EACH_EFFECT(Effect::totals(p, constants, step, report));
+  Books books{report};
+  Common::totals(p, k, step, books);
+  BAKE_FOR_EACH_EFFECT(totals, p, constants, step, books);
 }
 
 /// Those that leave are summed apart, and no longer alive.
@@ -337,10 +418,9 @@ void Model<Real, Effects...>::count_leaving(Particle& p, const Constants& k, con
 template <class Real, class... Effects>
 void Model<Real, Effects...>::update_nodes(const V* scattered, V* gathered, NodeSums<Real>& sums, const Surroundings<Real>& around,
                                            const Step<Real>& step, Budget& booked) const {
-  Node node{scattered, gathered, around, sums, inertia_, latent_heat_, water_specific_heat_, published_exchange_};
-  const auto one = [&]<class Effect>() {
-    if constexpr (requires { Effect::update(node, step, booked); }) Effect::update(node, step, booked);
-  };
+  Node node{scattered, gathered, around, sums};
+  NodeBooks books{booked};
+  const auto one = [&]<class Effect>() { BAKE_CALL(Effect, update, node, std::get<NodeConstantsOf<Effect>>(nodes_), step, books); };
   const auto reversed = [&]<class First, class... Rest>(const auto& self) {
     if constexpr (sizeof...(Rest) > 0) self.template operator()<Rest...>(self);
     one.template operator()<First>();
@@ -349,13 +429,22 @@ void Model<Real, Effects...>::update_nodes(const V* scattered, V* gathered, Node
 }
 
 template <class Real, class... Effects>
+void Model<Real, Effects...>::limit_step(const bake::Bounds& most, const StepScale& at, const Scene& scene, StepLimit& limit) const {
+  const auto of = [&]<class Q>(Q) { return most[static_cast<std::size_t>(Bounds::template offset<Q>)]; };
+  const auto one = [&]<class Effect>() { BAKE_CALL(Effect, largest_step, of, at, scene, limit); };
+  (one.template operator()<Effects>(), ...);
+}
+
+template <class Real, class... Effects>
 typename Model<Real, Effects...>::V Model<Real, Effects...>::conductance(const V* columns, int material) const {
-  if constexpr (Stored::template has<field::Temperature>) {
-    const Constants& k = materials_[static_cast<std::size_t>(material)];
-    Particle p(const_cast<V*>(columns), k);
-    return std::get<ConstantsOf<Heat>>(k.effects).kappa * p.volume();
-  }
-  return V{};
+  const Constants& k = materials_[static_cast<std::size_t>(material)];
+  Particle p(const_cast<V*>(columns), k);
+  V sum{};
+  const auto one = [&]<class Effect>(const ConstantsOf<Effect>& constants) {
+    if constexpr (has_hook::conductance<Effect>) sum += Effect::conductance(p, constants);
+  };
+  (one.template operator()<Effects>(std::get<ConstantsOf<Effects>>(k.effects)), ...);
+  return sum;
 }
 
 #undef BAKE_FOR_EACH_EFFECT

@@ -7,19 +7,10 @@
 #include <memory>
 #include <tuple>
 
+#include "solver/effects/declared_effects.h"  // made from the list below
 #include "solver/engine/physics.h"
 
 namespace bake {
-
-struct Motion;
-struct FlipMemory;
-struct FreeSurface;
-struct Heat;
-struct Water;
-struct MovingWater;
-struct Elasticity;
-struct Plasticity;
-struct Leavening;
 
 template <class... Effects>
 struct Composition {};

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <utility>
 
-#include "solver/effects/all_effects.h"
-#include "solver/effects/flip_memory.h"
-#include "solver/effects/free_surface.h"
-#include "solver/effects/moving_water.h"
+#include "solver/effects/composed_effects.h"
 #include "solver/engine/model_list.h"
 #include "solver/scene/scene.h"
 
@@ -15,26 +11,27 @@ namespace {
 
 static_assert(k_compositions == BAKE_MODELS, "solver/CMakeLists.txt must find all of Compositions");
 
-template <class Effect, class... Effects>
+template <class E, class... Effects>
 constexpr bool in(Composition<Effects...>) {
-  return (std::is_same_v<Effects, Effect> || ...);
+  return (std::is_same_v<Effects, E> || ...);
 }
 
-static_assert(std::apply([](auto... c) { return ((in<MovingWater>(c) == (in<Motion>(c) && in<Water>(c))) && ...); }, Compositions{}),
-              "water moves with its solid in just the compositions with motion and water");
+/// Is every part that the scene implies in the composition, and no other?
+template <class... Effects>
+bool implied_parts_fit(Composition<Effects...> composition, const Scene& scene) {
+  const auto fits = [&]<class E>(E*) {
+    if constexpr (Implied<E>) return E::is_implied(scene) == in<E>(composition);
+    return true;
+  };
+  return [&]<class... E>(std::tuple<E...>*) { return (fits(static_cast<E*>(nullptr)) && ...); }(static_cast<ComposedEffects*>(nullptr));
+}
 
-/// Has the composition exactly the effects that the scene lists? What is no effect of its own follows from the scene.
+/// Has the composition exactly the effects that the scene lists?
 template <class... Effects>
 bool fits(Composition<Effects...> composition, const Scene& scene) {
-  std::size_t found = 0;
-  const auto one = [&](std::string_view name) {
-    if (name == FreeSurface::name || name == MovingWater::name) return true;
-    if (name == FlipMemory::name) return scene.of<Motion>().transfer == Motion::Transfer::flip;
-    ++found;
-    return scene.lists(name);
-  };
-  const bool flip = scene.lists(Motion::name) && scene.of<Motion>().transfer == Motion::Transfer::flip;
-  return (one(Effects::name) && ...) && found == scene.effects.size() && flip == in<FlipMemory>(composition);
+  const std::size_t listed = (0 + ... + (Implied<Effects> ? 0 : 1));
+  return listed == scene.effects.size() && ((Implied<Effects> || scene.lists(Effects::name)) && ...) &&
+         implied_parts_fit(composition, scene);
 }
 
 template <class Real, int... I>
@@ -44,14 +41,16 @@ std::unique_ptr<Physics<Real>> find(const Scene& scene, std::integer_sequence<in
   return made;
 }
 
+/// "motion+elasticity", with "+flip" where a setting makes a combination of its own.
 template <class... Effects>
 std::string words(Composition<Effects...>) {
   std::string text;
-  const auto one = [&](std::string_view name) {
-    if (name == FreeSurface::name || name == MovingWater::name) return;
-    text += (text.empty() ? "" : "+") + std::string(name == FlipMemory::name ? "flip" : name);
+  const auto one = [&]<class E>(E*) {
+    if constexpr (Implied<E>)
+      if (std::string_view(E::k_told).empty()) return;
+    text += (text.empty() ? "" : "+") + std::string(E::name);
   };
-  (one(Effects::name), ...);
+  (one(static_cast<Effects*>(nullptr)), ...);
   return text;
 }
 
@@ -61,12 +60,15 @@ template <class Real>
 std::unique_ptr<Physics<Real>> make_physics(const Scene& scene) {
   auto made = find<Real>(scene, std::make_integer_sequence<int, k_compositions>{});
   if (made) return made;
-  std::string listed, known;
+  std::string listed, known, told;
   for (const std::string& name : scene.effects) listed += (listed.empty() ? "" : "+") + name;
+  const auto tell = [&]<class E>(E*) {
+    if constexpr (Implied<E>)
+      if (E::is_implied(scene)) told += E::k_told;
+  };
+  [&]<class... E>(std::tuple<E...>*) { (tell(static_cast<E*>(nullptr)), ...); }(static_cast<ComposedEffects*>(nullptr));
   std::apply([&](auto... c) { ((known += (known.empty() ? "" : ", ") + words(c)), ...); }, Compositions{});
-  const bool flip = scene.lists(Motion::name) && scene.of<Motion>().transfer == Motion::Transfer::flip;
-  throw InputError(scene.file.string() + ": effects: found " + (listed.empty() ? "none" : listed) +
-                   (flip ? " with transfer = \"flip\"" : "") + ", allowed: " + known);
+  throw InputError(scene.file.string() + ": effects: found " + (listed.empty() ? "none" : listed) + told + ", allowed: " + known);
 }
 
 template std::unique_ptr<Physics<float>> make_physics(const Scene&);

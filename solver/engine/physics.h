@@ -2,6 +2,9 @@
 // What the engine knows of a model: how many numbers go where, and three functions on lanes.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -10,7 +13,8 @@
 
 #include "solver/boundary/obstacles.h"
 #include "solver/core/lanes.h"
-#include "solver/effects/totals.h"
+#include "solver/core/step_limit.h"
+#include "solver/core/vector3.h"
 
 namespace bake {
 
@@ -27,16 +31,25 @@ struct Step {
   double time = 0;     ///< at the start of the step [s]
 };
 
-/// What limits the next step: maxima over the particles.
-template <class Real>
-struct Extremes {
-  using V = Lanes<Real>;
-  V speed2;        ///< |v|^2 [m^2/s^2]
-  V wave2;         ///< stiffness over density, c^2 [m^2/s^2]
-  V heat;          ///< kappa V / c [m^2/s]
-  V water;         ///< K theta s [m^2/s]
-  V deformation2;  ///< |C|^2 [1/s^2]
-};
+inline constexpr int k_most_booked = 24, k_most_totals = 20, k_most_highest = 4, k_most_bounds = 8;
+
+/// What is booked in a step; which number is which is said by Physics::booked.
+using Budget = std::array<double, k_most_booked>;
+using Totals = std::array<double, k_most_totals>;
+using Highest = std::array<double, k_most_highest>;
+using Bounds = std::array<double, k_most_bounds>;
+inline constexpr double k_lowest = -1e30;  ///< below every maximum
+
+inline void add_to(Budget& sum, const Budget& part) {
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += part[i];
+}
+template <std::size_t n>
+void raise_to(std::array<double, n>& most, const std::array<double, n>& others) {
+  for (std::size_t i = 0; i < n; ++i) most[i] = std::max(most[i], others[i]);
+}
+
+/// Where in a Budget the numbers stand that the engine itself books: those of Common, which come first.
+enum CommonEntry { k_impulse_entry = 0, k_angular_impulse_entry = 3, k_area_entry = 6, k_contact_area_entry = 7 };
 
 /// What a block of particles reports besides its scatter coefficients.
 template <class Real>
@@ -45,15 +58,16 @@ struct Report {
   V alive;                      ///< 1 in lanes that hold a particle, else 0; set tile by tile
   Real origin[3] = {};          ///< position of the block's first node [m]
   V open_low[3], open_high[3];  ///< open faces of the domain, relative to the block in node distances
-  Extremes<Real> extremes{};
-  V booked[k_entries] = {};
+  V bounds[k_most_bounds] = {};
+  V booked[k_most_booked] = {};
   const Obstacles* obstacles = nullptr;  ///< if there are any near that expel particles
   bool totals_wanted = false;
   Totals totals{};
   Totals retired{};  ///< of the particles that leave in this step
-  V temperature_low = V{} + Real(1e30), temperature_high = V{} - Real(1e30);
+  V highest[k_most_highest];
 
   Report() {
+    for (V& v : highest) v = lanes<Real>(static_cast<Real>(k_lowest));
     for (int d = 0; d < 3; ++d) open_low[d] = lanes<Real>(-std::numeric_limits<Real>::infinity()), open_high[d] = -open_low[d];
   }
   /// Lanes that passed an open face.
@@ -61,8 +75,6 @@ struct Report {
     return (x[0] < open_low[0]) | (x[0] > open_high[0]) | (x[1] < open_low[1]) | (x[1] > open_high[1]) | (x[2] < open_low[2]) |
            (x[2] > open_high[2]);
   }
-  BAKE_INLINE void book(Entry entry, V amount) { booked[static_cast<int>(entry)] += alive * amount; }
-  void add(Total total, V amount) { totals[static_cast<int>(total)] += sum_lanes(alive * amount); }
 };
 
 /// The surroundings of W nodes.
@@ -85,6 +97,7 @@ struct NodeSums {
   V heat_weight{};  ///< heat per degree, exchange included; 0 where the temperature is held [J/K] (backward Euler)
   V moved{};        ///< change of the water, evaporation included [kg]
   V evaporated{};   ///< [kg]
+  V heat_taken{};   ///< by what changes state at the nodes [J]
 };
 
 /// A model as the engine sees it. All arrays of lanes are aligned to the register width.
@@ -94,14 +107,22 @@ class Physics {
   using V = Lanes<Real>;
   virtual ~Physics() = default;
 
-  struct Column {
+  /// Numbers of one name: a particle's column, or something that is booked, summed or compared.
+  struct Quantity {
     std::string name, unit;
     int first, width;
   };
-  std::vector<Column> columns;  ///< stored per particle, position and identity first
+  std::vector<Quantity> columns;  ///< stored per particle, position and identity first
+  std::vector<Quantity> booked, totals, highest, bounds;
+  /// A derived or stored number of a particle, as frames show it.
+  struct FrameColumn {
+    std::string name, unit;
+    std::function<double(const V* columns, int lane, int material)> value;
+  };
+  std::vector<FrameColumn> frame_columns;
   /// First column of a field, -1 if no effect has it.
   int column_of(std::string_view name) const {
-    for (const Column& column : columns)
+    for (const Quantity& column : columns)
       if (column.name == name) return column.first;
     return -1;
   }
@@ -109,13 +130,24 @@ class Physics {
   int scatter_channels = 0;  ///< numbers per node before the grid update
   int moment_channels = 0;   ///< the first so many of them have coefficients of the node offsets
   int gather_channels = 0;   ///< numbers per node after it
-  bool moves = false;
-  bool has_heat = false;
-  bool has_water = false;
-  bool implicit_heat = false;
-  int volume_channel = -1;       ///< in a scattered row; -1: no surface is measured
-  int filled_channel = 0;        ///< in a scattered row: above zero where there are particles
-  int temperature_channel = -1;  ///< in a gathered row; the change stands before it
+
+  // What the engine does for the effects; each sets its own.
+  bool moves = false;              ///< nodes have velocities (gathered channels 0 to 2), which gravity and contacts change
+  Vector3 gravity{0, 0, 0};        ///< [m/s^2]
+  double inertia_scale = 1;        ///< inertial mass over mass
+  bool needs_surface = false;      ///< something passes the surface: it is measured
+  bool moves_mass = false;         ///< mass moves between nodes or leaves them: NodeSums::moved and evaporated
+  bool implicit_heat = false;      ///< conduction by backward Euler, to
+  double heat_tolerance = 0;       ///< this relative residual
+  int volume_channel = -1;         ///< in a scattered row; -1: no surface is measured
+  int filled_channel = 0;          ///< in a scattered row: above zero where there are particles
+  int temperature_channel = -1;    ///< in a gathered row, the change stands before it; -1: there is none
+  double moved_specific_heat = 0;  ///< of the mass that moves or leaves [J/(kg K)]
+  // where in a Budget the engine books what it knows only after the grid update
+  int heat_entry = 0;            ///< heat that came in through surfaces [J]
+  int left_heat_entry = 0;       ///< heat that mass took along when it left the nodes [J]
+  int moved_heat_entry = 0;      ///< what moves between particles less what moves between nodes: heat [J],
+  int moved_momentum_entry = 0;  ///< momentum [kg m/s]
 
   /// Gathers and advances the particles of a tile from t to t + dt, then says what they scatter in the step after.
   /// `gathered`: values, d/dx, d/dy, d/dz, each `gather_stride` lanes apart.
@@ -129,6 +161,8 @@ class Physics {
   /// Grid update of W nodes: scattered channels in, gathered channels and sums out.
   virtual void update_nodes(const V* scattered, V* gathered, NodeSums<Real>& sums, const Surroundings<Real>&, const Step<Real>&,
                             Budget&) const = 0;
+  /// The longest step that the effects allow where particles' maxima are `most`.
+  virtual void limit_step(const Bounds& most, const StepScale& at, const Scene& scene, StepLimit& limit) const = 0;
   /// kappa V of a tile's particles [W m/K] (backward Euler).
   virtual V conductance(const V* columns, int material) const = 0;
   /// Writes the start state of one particle of a body into its lane.

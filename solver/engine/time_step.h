@@ -1,43 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The largest step that every effect allows.
+// The longest step that every effect and everything that moves by script allows.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
-#include "solver/scene/settings.h"
+#include "solver/engine/physics.h"
 
 namespace bake {
 
-struct Scene;
-
-/// Maxima over the particles that bound the step.
-struct Maxima {
-  double speed2 = 0;        ///< [m^2/s^2]
-  double wave2 = 0;         ///< [m^2/s^2]
-  double heat = 0;          ///< [m^2/s]
-  double water = 0;         ///< [m^2/s]
-  double deformation2 = 0;  ///< [1/s^2]
-};
-
-/// Which limit holds, for messages.
-struct StepLimit {
-  double dt;
-  const char* reason;
-};
-
-class StepLimits {
- public:
-  explicit StepLimits(const Scene& scene);
-  /// `contact_speed`: of the fastest collider [m/s].
-  StepLimit largest(const Maxima& maxima, double contact_speed) const;
-
- private:
-  TimeSettings settings_;
-  double dx_, gravity_;
-  double diffusion_;      ///< what dt D / dx^2 may be
-  double heat_factor_;    ///< times forward Euler's limit
-  double pouring_speed_;  ///< [m/s]
-};
+/// `most`: maxima over the particles; `contact_speed`: of the fastest collider or grip [m/s].
+template <class Real>
+StepLimit largest_step(const Scene& scene, const Physics<Real>& physics, const Bounds& most, double contact_speed);
 
 }  // namespace bake

@@ -12,12 +12,12 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "solver/effects/motion.h"
 #include "solver/io/checkpoint.h"
 #include "solver/io/ledger_file.h"
 #include "solver/io/progress.h"
 #include "solver/io/provenance.h"
 #include "solver/io/scratch_folder.h"
+#include "solver/run/ledger.h"
 #include "solver/run/simulation.h"
 #include "solver/scene/describe.h"
 #include "solver/scene/resolved.h"
@@ -87,23 +87,23 @@ double value(const std::vector<double>& row, std::string_view column) {
 }
 
 std::string summary_text(const Scene& scene, const Results& results, const std::vector<double>& first, const std::vector<double>& last,
-                         double wall, std::int64_t particle_steps) {
+                         double inertia_scale, double wall, std::int64_t particle_steps) {
   const auto now = [&](std::string_view c) { return value(last, c); };
   std::string text =
       fmt::format("{}: {:.4g} s simulated, {} particles, {} steps\n", scene.title.empty() ? scene.file.stem().string() : scene.title,
                   now("time_s"), std::int64_t(now("particles")), std::int64_t(now("steps")));
   if (value(first, "volume_m3") > 0)
     text += fmt::format("  volume       x {:.3f} ({:.4g} m^3)\n", now("volume_m3") / value(first, "volume_m3"), now("volume_m3"));
-  if (scene.lists("heat"))
+  if (is_of_scene(scene, "temperature_mean_C"))
     text += fmt::format("  temperature  {:.1f} to {:.1f} C, mean {:.1f} C\n", now("temperature_min_C"), now("temperature_max_C"),
                         now("temperature_mean_C"));
-  if (scene.lists("water") && value(first, "water_mass_kg") > 0)
+  if (value(first, "water_mass_kg") > 0)
     text += fmt::format("  water lost   {:.4g} kg ({:.2f} %)\n", now("water_evaporated_kg"),
                         100 * now("water_evaporated_kg") / value(first, "water_mass_kg"));
-  if (scene.lists("leavening")) text += fmt::format("  gas made     {:.4g} mol\n", now("gas_mol"));
-  if (scene.lists("motion") && scene.of<Motion>().inertia_scale != 1 && now("elastic_J") > 0)
-    text += fmt::format("  inertia      x {:g}; kinetic energy is {:.2g} of the elastic one: small means quasi-static\n",
-                        scene.of<Motion>().inertia_scale, now("kinetic_J") / now("elastic_J"));
+  if (is_of_scene(scene, "gas_mol")) text += fmt::format("  gas made     {:.4g} mol\n", now("gas_mol"));
+  if (inertia_scale != 1 && now("elastic_J") > 0)
+    text += fmt::format("  inertia      x {:g}; kinetic energy is {:.2g} of the elastic one: small means quasi-static\n", inertia_scale,
+                        now("kinetic_J") / now("elastic_J"));
   if (now("clamped_particles") > 0) text += fmt::format("  held at the domain's faces: {} times\n", std::int64_t(now("clamped_particles")));
   if (now("retired_particles") > 0) text += fmt::format("  retired at open faces: {} particles\n", std::int64_t(now("retired_particles")));
   text += fmt::format("  speed        {:.2f} million particle-steps/s ({:.1f} s)\n",
@@ -193,7 +193,7 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
   const auto wall = [&] { return wall_before + steady_seconds() - began; };
   const std::int64_t old_steps = simulation->counters().particle_steps;
   Progress progress(progress_on_stderr(options.quiet));
-  std::vector<double> first = simulation->ledger_row(), last = first;
+  std::vector<double> first = ledger_row(*simulation), last = first;
   LedgerFile ledger = options.resume ? LedgerFile::resume(results.ledger(), ledger_columns(), frame_time(scene, frame))
                                      : LedgerFile::create(results.ledger(), ledger_columns());
   if (options.resume) {
@@ -215,7 +215,8 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
   };
   const auto finish = [&](const char* state) {
     save_description(scene, results, state, last, wall(), simulation->counters().particle_steps);
-    return summary_text(scene, results, first, last, steady_seconds() - began, simulation->counters().particle_steps - old_steps);
+    return summary_text(scene, results, first, last, simulation->inertia_scale(), steady_seconds() - began,
+                        simulation->counters().particle_steps - old_steps);
   };
   const auto advance = [&] {
     try {
@@ -232,7 +233,7 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
     const bool reached = advance();
     if (reached) {
       ++frame;
-      last = simulation->ledger_row();
+      last = ledger_row(*simulation);
       simulation->write_frame_file(results.frames() / frame_name(frame));
       save_series(scene, results, frame);
       ledger.append(last);

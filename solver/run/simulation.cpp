@@ -7,80 +7,11 @@
 
 #include "solver/core/vector3.h"
 #include "solver/effects/fields.h"
-#include "solver/effects/water.h"
 #include "solver/engine/engine.h"
 #include "solver/run/fill_scene.h"
 #include "solver/scene/scene.h"
 
 namespace bake {
-
-std::vector<std::string> ledger_columns() {
-  return {"time_s",
-          "steps",
-          "dt_s",
-          "particles",
-          "retired_particles",
-          "clamped_particles",
-          "solid_mass_kg",
-          "water_mass_kg",
-          "water_evaporated_kg",
-          "momentum_x_kg_m_per_s",
-          "momentum_y_kg_m_per_s",
-          "momentum_z_kg_m_per_s",
-          "angular_momentum_x_kg_m2_per_s",
-          "angular_momentum_y_kg_m2_per_s",
-          "angular_momentum_z_kg_m2_per_s",
-          "impulse_x_kg_m_per_s",
-          "impulse_y_kg_m_per_s",
-          "impulse_z_kg_m_per_s",
-          "twist_x_kg_m2_per_s",
-          "twist_y_kg_m2_per_s",
-          "twist_z_kg_m2_per_s",
-          "kinetic_J",
-          "elastic_J",
-          "dissipated_J",
-          "heat_content_J",
-          "heat_exchanged_J",
-          "latent_heat_J",
-          "expansion_heat_J",
-          "gas_mol",
-          "volume_m3",
-          "surface_m2",
-          "contact_surface_m2",
-          "temperature_min_C",
-          "temperature_mean_C",
-          "temperature_max_C",
-          "max_speed_m_per_s",
-          "height_m",
-          "extent_x_m",
-          "extent_y_m",
-          "water_limited_kg",
-          "vapour_heat_J",
-          "water_remap_heat_J",
-          "water_remap_momentum_x_kg_m_per_s",
-          "water_remap_momentum_y_kg_m_per_s",
-          "water_remap_momentum_z_kg_m_per_s",
-          "retired_solid_kg",
-          "retired_water_kg",
-          "retired_momentum_x_kg_m_per_s",
-          "retired_momentum_y_kg_m_per_s",
-          "retired_momentum_z_kg_m_per_s",
-          "retired_angular_momentum_x_kg_m2_per_s",
-          "retired_angular_momentum_y_kg_m2_per_s",
-          "retired_angular_momentum_z_kg_m2_per_s",
-          "retired_heat_J",
-          "retired_gas_mol",
-          "emitted_solid_kg",
-          "emitted_water_kg",
-          "emitted_momentum_x_kg_m_per_s",
-          "emitted_momentum_y_kg_m_per_s",
-          "emitted_momentum_z_kg_m_per_s",
-          "emitted_angular_momentum_x_kg_m2_per_s",
-          "emitted_angular_momentum_y_kg_m2_per_s",
-          "emitted_angular_momentum_z_kg_m2_per_s",
-          "emitted_heat_J",
-          "emitted_gas_mol"};
-}
 
 const std::vector<double>& Snapshot::operator[](std::string_view column) const {
   for (const auto& [name, values] : columns)
@@ -137,14 +68,36 @@ class SimulationOf final : public Simulation {
   double dt() const override { return engine_.dt(); }
   std::size_t particles() const override { return engine_.particles(); }
   const Counters& counters() const override { return engine_.counters(); }
-  const Budget& booked() const override { return engine_.booked(); }
-  const Totals& totals() const override { return engine_.totals(); }
-  const Totals& retired() const override { return engine_.retired(); }
-  const Totals& emitted() const override { return engine_.emitted(); }
-  std::pair<double, double> temperatures() const override { return {engine_.temperature_low(), engine_.temperature_high()}; }
+  double amount(Sum kind, std::string_view symbol, int i) const override {
+    const Physics<Real>& physics = engine_.physics();
+    switch (kind) {
+      case Sum::booked:
+        return number(physics.booked, engine_.booked(), symbol, i);
+      case Sum::total:
+        return number(physics.totals, engine_.totals(), symbol, i);
+      case Sum::retired:
+        return number(physics.totals, engine_.retired(), symbol, i);
+      case Sum::emitted:
+        return number(physics.totals, engine_.emitted(), symbol, i);
+      case Sum::highest:
+        return particles() == 0 ? 0 : number(physics.highest, engine_.highest(), symbol, i);
+      case Sum::bound:
+        return number(physics.bounds, engine_.bounds(), symbol, i);
+    }
+    return 0;
+  }
+  Box3 extent() const override {
+    Box3 box{{k_infinity, k_infinity, k_infinity}, {-k_infinity, -k_infinity, -k_infinity}};
+    for_each_particle([&](const ParticleSlot& p) {
+      const Point x = position(p);
+      for (std::size_t d = 0; d < 3; ++d) box.low[d] = std::min(box.low[d], x[d]), box.high[d] = std::max(box.high[d], x[d]);
+    });
+    return box;
+  }
   std::size_t bytes() const override { return engine_.bytes(); }
   std::size_t active_nodes() const override { return engine_.active_nodes(); }
 
+  double inertia_scale() const override { return engine_.physics().inertia_scale; }
   std::string memory_words() const override {
     const auto& physics = engine_.physics();
     return fmt::format("{} numbers ({} bytes) per particle, {} scattered and {} gathered channels ({} bytes) per node",
@@ -171,65 +124,6 @@ class SimulationOf final : public Simulation {
     return s;
   }
 
-  std::vector<double> ledger_row() const override {
-    const Totals& t = engine_.totals();
-    const Budget& b = engine_.booked();
-    const Counters& c = engine_.counters();
-    const auto total = [&](Total which) { return t[static_cast<std::size_t>(which)]; };
-    const auto booked = [&](Entry which) { return b[static_cast<std::size_t>(which)]; };
-    Point low{k_infinity, k_infinity, k_infinity}, high{-k_infinity, -k_infinity, -k_infinity};
-    for_each_particle([&](const ParticleSlot& p) {
-      const Point x = position(p);
-      for (std::size_t d = 0; d < 3; ++d) low[d] = std::min(low[d], x[d]), high[d] = std::max(high[d], x[d]);
-    });
-    const bool none = engine_.particles() == 0, cold = none || !engine_.physics().has_heat;
-    const auto [coldest, hottest] = temperatures();
-    std::vector<double> row{engine_.time(),
-                            double(c.steps),
-                            engine_.dt(),
-                            double(engine_.particles()),
-                            double(c.retired),
-                            double(c.clamped),
-                            total(Total::solid_mass),
-                            total(Total::water_mass),
-                            booked(Entry::evaporated)};
-    for (const Total which :
-         {Total::momentum_x, Total::momentum_y, Total::momentum_z, Total::angular_x, Total::angular_y, Total::angular_z})
-      row.push_back(total(which));
-    for (const Entry which : {Entry::impulse_x, Entry::impulse_y, Entry::impulse_z, Entry::twist_x, Entry::twist_y, Entry::twist_z})
-      row.push_back(booked(which));
-    for (const double value : {total(Total::kinetic),
-                               total(Total::elastic),
-                               booked(Entry::dissipated),
-                               total(Total::heat_content),
-                               booked(Entry::exchanged),
-                               booked(Entry::latent),
-                               booked(Entry::expansion),
-                               total(Total::gas),
-                               total(Total::volume),
-                               booked(Entry::area),
-                               booked(Entry::contact_area),
-                               cold ? 0 : coldest,
-                               cold ? 0 : total(Total::temperature) / total(Total::volume),
-                               cold ? 0 : hottest,
-                               engine_.largest_speed(),
-                               none ? 0 : high[2] - low[2],
-                               none ? 0 : high[0] - low[0],
-                               none ? 0 : high[1] - low[1],
-                               booked(Entry::water_limited),
-                               booked(Entry::vapour_heat),
-                               booked(Entry::remapped_heat),
-                               booked(Entry::remapped_x),
-                               booked(Entry::remapped_y),
-                               booked(Entry::remapped_z)})
-      row.push_back(value);
-    for (const Totals& who : {engine_.retired(), engine_.emitted()})
-      for (const Total which : {Total::solid_mass, Total::water_mass, Total::momentum_x, Total::momentum_y, Total::momentum_z,
-                                Total::angular_x, Total::angular_y, Total::angular_z, Total::heat_content, Total::gas})
-        row.push_back(who[static_cast<std::size_t>(which)]);
-    return row;
-  }
-
   void write_frame_file(const std::filesystem::path& path) const override {
     const std::vector<ParticleSlot> slots = slots_by_identity();
     std::vector<float> x, v;
@@ -248,40 +142,13 @@ class SimulationOf final : public Simulation {
     if (!v.empty() || (slots.empty() && engine_.physics().moves))
       frame.columns.push_back({"velocity", "m/s", std::span<const float>(v), 3});
     std::vector<std::vector<float>> kept;  // spans into it
-    kept.reserve(16);
-    const auto scalar = [&](const char* name, const char* unit, auto value_of) {
+    kept.reserve(engine_.physics().frame_columns.size());
+    for (const auto& column : engine_.physics().frame_columns) {
       std::vector<float>& values = kept.emplace_back();
       values.reserve(slots.size());
-      for (const ParticleSlot& p : slots) values.push_back(static_cast<float>(value_of(p)));
-      frame.columns.push_back({name, unit, std::span<const float>(values)});
-    };
-    const auto column = [&](const char* name) { return engine_.physics().column_of(name); };
-    const auto stored = [&](const char* name, const char* unit, int column) {
-      scalar(name, unit, [=](const ParticleSlot& p) { return number(p, column); });
-    };
-    const auto material_of = [&](const ParticleSlot& p) -> const Material& {
-      return scene_.materials[static_cast<std::size_t>(engine_.store().tiles[p.tile].material)];
-    };
-    const int V_0 = column(field::InitialVolume::name), J = column(field::VolumeRatio::name), m_w = column(field::WaterMass::name);
-    const auto volume = [=](const ParticleSlot& p) { return J < 0 ? number(p, V_0) : number(p, V_0) * number(p, J); };
-    scalar("volume", "m^3", volume);
-    if (J >= 0) stored("volume_ratio", "1", J);
-    if (const int theta = column(field::Temperature::name); theta >= 0) {
-      stored("temperature", "C", theta);
-      stored("peak_temperature", "C", column(field::PeakTemperature::name));
-    }
-    if (m_w >= 0) {
-      stored("water_mass", "kg", m_w);
-      scalar("saturation", "1",
-             [&](const ParticleSlot& p) { return number(p, m_w) / (of<Water>(material_of(p)).water_density_kg_per_m3 * volume(p)); });
-    }
-    if (const int J_P = column(field::PlasticVolumeRatio::name); J_P >= 0) {
-      stored("plastic_volume_ratio", "1", J_P);
-      scalar("porosity", "1", [&](const ParticleSlot& p) { return 1 - (1 - material_of(p).initial_porosity) / number(p, J); });
-    }
-    if (const int nu = column(field::ProducedGas::name); nu >= 0) {
-      stored("produced_gas", "mol/m^3", nu);
-      stored("leavener", "1", column(field::Leavener::name));
+      for (const ParticleSlot& p : slots)
+        values.push_back(static_cast<float>(column.value(p.columns, p.lane, engine_.store().tiles[p.tile].material)));
+      frame.columns.push_back({column.name.c_str(), column.unit.c_str(), std::span<const float>(values)});
     }
     write_frame(path, engine_.time(), frame);
   }
@@ -299,6 +166,14 @@ class SimulationOf final : public Simulation {
   void pour_due() {
     for (const auto& emitter : emitters_)
       while (emitter->next_time() <= engine_.time()) engine_.add(emitter->pour(), true);
+  }
+
+  /// What a list of quantities has of that symbol; 0 if it is not in it.
+  template <class Numbers>
+  static double number(const std::vector<typename Physics<Real>::Quantity>& list, const Numbers& numbers, std::string_view symbol, int i) {
+    for (const auto& q : list)
+      if (q.name == symbol) return numbers[static_cast<std::size_t>(q.first + i)];
+    return 0;
   }
 
   /// Where a particle is kept; its numbers are the lane of the tile's columns.

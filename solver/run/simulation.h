@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "solver/effects/totals.h"
 #include "solver/engine/engine_types.h"
 #include "solver/io/frames.h"
 
@@ -16,9 +15,6 @@ namespace bake {
 class CheckpointReader;
 class CheckpointWriter;
 struct Scene;
-
-/// The numbers of one row of ledger.csv.
-std::vector<std::string> ledger_columns();
 
 /// Everything about the particles at one time, in double and in the order of their identities.
 struct Snapshot {
@@ -50,17 +46,44 @@ class Simulation {
   virtual double dt() const = 0;
   virtual std::size_t particles() const = 0;
   virtual const Counters& counters() const = 0;
-  virtual const Budget& booked() const = 0;
-  virtual const Totals& totals() const = 0;                    ///< at the last sample
-  virtual const Totals& retired() const = 0;                   ///< of the particles that left, when they left
-  virtual const Totals& emitted() const = 0;                   ///< of the particles that were poured, when they were
-  virtual std::pair<double, double> temperatures() const = 0;  ///< lowest and highest, at the last sample
+  // Quantities are called by what the effects declare, e.g. total(total::momentum, 2); 0 if no effect of the scene has it.
+  template <class Q>
+  double booked(Q, int i = 0) const {  ///< since the start
+    return amount(Sum::booked, Q::symbol, i);
+  }
+  template <class Q>
+  double total(Q, int i = 0) const {  ///< at the last sample
+    return amount(Sum::total, Q::symbol, i);
+  }
+  template <class Q>
+  double retired(Q, int i = 0) const {  ///< of the particles that left, when they left
+    return amount(Sum::retired, Q::symbol, i);
+  }
+  template <class Q>
+  double emitted(Q, int i = 0) const {  ///< of the particles that were poured, when they were
+    return amount(Sum::emitted, Q::symbol, i);
+  }
+  template <class Q>
+  double highest(Q, int i = 0) const {  ///< over the particles, at the last sample
+    return amount(Sum::highest, Q::symbol, i);
+  }
+  template <class Q>
+  double bound(Q, int i = 0) const {  ///< over the particles, in the last step
+    return amount(Sum::bound, Q::symbol, i);
+  }
+  virtual Box3 extent() const = 0;  ///< of the particles [m]
   virtual Snapshot snapshot() const = 0;
-  virtual std::vector<double> ledger_row() const = 0;
   virtual void write_frame_file(const std::filesystem::path& path) const = 0;
   virtual std::size_t bytes() const = 0;
   virtual std::size_t active_nodes() const = 0;
   virtual std::string memory_words() const = 0;  ///< "19 columns, 76 bytes per particle; ..."
+  virtual double inertia_scale() const = 0;      ///< inertial mass over mass
+
+ protected:
+  enum class Sum { booked, total, retired, emitted, highest, bound };
+
+ private:
+  virtual double amount(Sum kind, std::string_view symbol, int i) const = 0;
 };
 
 }  // namespace bake

@@ -52,10 +52,7 @@ CatalogueSection described(const Section<std::vector<T>>& section) {
 /// "leavening makes CO2 ...; needs plasticity, heat"
 template <class Effect>
 std::string meaning_with_needs() {
-  std::vector<std::string> needs;
-  for (const Need& need : k_needs) {
-    if (std::string(need.effect) == Effect::name) needs.emplace_back(need.needs);
-  }
+  const std::vector<std::string> needs(Effect::needs.begin(), Effect::needs.end());
   return needs.empty() ? Effect::meaning : fmt::format("{}; needs {}", Effect::meaning, fmt::join(needs, " and "));
 }
 

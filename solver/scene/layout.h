@@ -42,18 +42,6 @@ inline constexpr std::tuple k_lists{
             "pours material: each time what was poured has moved its own length away, the shape is filled anew"},
 };
 
-/// Effects that work only together with another.
-struct Need {
-  const char* effect;
-  const char* needs;
-};
-inline constexpr std::array k_needs{
-    Need{"elasticity", "motion"},
-    Need{"plasticity", "elasticity"},
-    Need{"leavening", "plasticity"},
-    Need{"leavening", "heat"},
-};
-
 /// Where a shape is put: scaled and turned about its own origin, then moved. Stands beside the shape's own table.
 struct Placement {
   Vector3 move_m = {0, 0, 0};

@@ -23,9 +23,10 @@ std::vector<std::string> top_level_keys() {
 }
 
 void check_needs(const SceneEntry& entry, const Scene& scene) {
-  for (const Need& need : k_needs) {
-    if (scene.lists(need.effect) && !scene.lists(need.needs)) entry.complain(fmt::format("'{}' needs '{}'", need.effect, need.needs));
-  }
+  for_each_effect([&]<class E>() {
+    for (const char* need : E::needs)
+      if (scene.lists(E::name) && !scene.lists(need)) entry.complain(fmt::format("'{}' needs '{}'", E::name, need));
+  });
 }
 
 /// The listed effects in the order of AllEffects.
@@ -59,7 +60,7 @@ void read_settings(const SceneEntry& root, Scene& scene) {
   using Settings = typename Effect::Settings;
   const SceneEntry entry = root.find(Effect::name).value_or(root.absent_table(Effect::name));
   scene.settings.get<Settings>() = read_table<Settings>(entry, demand_of(Effect::name, scene));
-  check(entry, scene.settings.get<Settings>(), scene);
+  BAKE_CALL(Effect, check_settings, scene.settings.get<Settings>(), Complaint(entry));
 }
 
 template <class T>

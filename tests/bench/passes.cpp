@@ -41,6 +41,7 @@ class Still final : public Physics<Real> {
   }
   void start(V*, int, const V*, const V*, V*, int, const Step<Real>&, Report<Real>&) const override {}
   void update_nodes(const V*, V*, NodeSums<Real>&, const Surroundings<Real>&, const Step<Real>&, Budget&) const override {}
+  void limit_step(const Bounds&, const StepScale&, const Scene&, StepLimit&) const override {}
   V conductance(const V*, int) const override { return V{}; }
   void fill(V*, int, int, double, const Body&) const override {}
 };

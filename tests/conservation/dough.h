@@ -11,6 +11,8 @@
 #include <string>
 
 #include "solver/core/vector3.h"
+#include "solver/effects/all_effects.h"
+#include "solver/run/ledger.h"
 #include "solver/run/simulation.h"
 #include "solver/scene/reader.h"
 
@@ -121,31 +123,39 @@ inline void take_steps(Simulation& s, int count, double dt) {
 struct Sums {
   double solid, water, heat, gas, volume, kinetic, elastic;
   Vector3 momentum, angular;
-  double evaporated, exchanged, latent, vapour_heat, remapped_heat, expansion, dissipated, limited;
-  Vector3 impulse, twist, remapped;
+  double evaporated = 0, exchanged = 0, latent = 0, vapour_heat = 0, remapped_heat = 0, expansion = 0, dissipated = 0, limited = 0;
+  Vector3 impulse{}, angular_impulse{}, remapped{};
 
   explicit Sums(const Simulation& s) {
-    read(s.totals());
-    const auto booked = [&](Entry e) { return s.booked()[static_cast<std::size_t>(e)]; };
-    evaporated = booked(Entry::evaporated), exchanged = booked(Entry::exchanged), latent = booked(Entry::latent);
-    expansion = booked(Entry::expansion), dissipated = booked(Entry::dissipated), limited = booked(Entry::water_limited);
-    impulse = {booked(Entry::impulse_x), booked(Entry::impulse_y), booked(Entry::impulse_z)};
-    twist = {booked(Entry::twist_x), booked(Entry::twist_y), booked(Entry::twist_z)};
-    vapour_heat = booked(Entry::vapour_heat), remapped_heat = booked(Entry::remapped_heat);
-    remapped = {booked(Entry::remapped_x), booked(Entry::remapped_y), booked(Entry::remapped_z)};
+    read([&](auto q, int i = 0) { return s.total(q, i); });
+    const auto vector = [&](auto q) { return Vector3{s.booked(q, 0), s.booked(q, 1), s.booked(q, 2)}; };
+    evaporated = s.booked(booked::evaporated), limited = s.booked(booked::water_limited), dissipated = s.booked(booked::dissipated);
+    exchanged = s.booked(booked::heat_exchanged), latent = s.booked(booked::latent_heat), expansion = s.booked(booked::expansion_heat);
+    vapour_heat = s.booked(booked::vapour_heat), remapped_heat = s.booked(booked::remap_heat);
+    impulse = vector(booked::impulse), angular_impulse = vector(booked::angular_impulse), remapped = vector(booked::remap_momentum);
   }
-  explicit Sums(const Totals& totals) { read(totals); }
+  /// Of the particles that left, and of those that were poured.
+  static Sums retired(const Simulation& s) {
+    return Sums([&](auto q, int i = 0) { return s.retired(q, i); });
+  }
+  static Sums emitted(const Simulation& s) {
+    return Sums([&](auto q, int i = 0) { return s.emitted(q, i); });
+  }
   double mass() const { return solid + water; }
   /// All the heat that was booked as coming in.
   double heat_gained() const { return exchanged - latent - vapour_heat + remapped_heat - expansion; }
 
  private:
-  void read(const Totals& totals) {
-    const auto total = [&](Total t) { return totals[static_cast<std::size_t>(t)]; };
-    solid = total(Total::solid_mass), water = total(Total::water_mass), heat = total(Total::heat_content), gas = total(Total::gas);
-    volume = total(Total::volume), kinetic = total(Total::kinetic), elastic = total(Total::elastic);
-    momentum = {total(Total::momentum_x), total(Total::momentum_y), total(Total::momentum_z)};
-    angular = {total(Total::angular_x), total(Total::angular_y), total(Total::angular_z)};
+  template <class Sum>
+  explicit Sums(Sum sum) {
+    read(sum);
+  }
+  template <class Sum>
+  void read(Sum sum) {
+    const auto vector = [&](auto q) { return Vector3{sum(q, 0), sum(q, 1), sum(q, 2)}; };
+    solid = sum(total::solid_mass), water = sum(total::water_mass), heat = sum(total::heat_content), gas = sum(total::gas);
+    volume = sum(total::volume), kinetic = sum(total::kinetic), elastic = sum(total::elastic);
+    momentum = vector(total::momentum), angular = vector(total::angular_momentum);
   }
 };
 

@@ -70,8 +70,8 @@ TEST(BothEulers, EndAtTheTemperatureOfTheOven) {
     const Sums now(*s);
     // What is left beyond it: differences between particles that the grid hardly sees return slowly (FLIP). The first, steep
     // seconds leave about a hundredth of the rise in single particles, which is a thousandth in their mean.
-    EXPECT_NEAR(s->totals()[static_cast<std::size_t>(Total::temperature)] / now.volume, 100, 1e-3 * 80) << integrator;
-    const auto [low, high] = s->temperatures();
+    EXPECT_NEAR(s->total(total::temperature) / now.volume, 100, 1e-3 * 80) << integrator;
+    const double low = -s->highest(highest::coldness), high = s->highest(highest::temperature);
     EXPECT_NEAR(low, 100, 0.03 * 80) << integrator;
     EXPECT_NEAR(high, 100, 0.03 * 80) << integrator;
   }
@@ -113,7 +113,7 @@ exchange_W_per_m2K = 500
   take_steps(*s, 40, 1e-3);
   const Sums now(*s);
   EXPECT_NEAR(now.heat, start.heat + now.exchanged - start.exchanged, 40e-12 * now.heat);
-  const double contact = s->booked()[static_cast<std::size_t>(Entry::contact_area)];
+  const double contact = s->booked(booked::contact_area);
   EXPECT_NEAR(contact, 0.25, 0.15 * 0.25);  // one face; edges are rounded within about a cell of eight
   EXPECT_GT(now.exchanged, 0.8 * 0.04 * 500 * contact * 100);
 }
@@ -125,7 +125,7 @@ TEST(HeatAtUniformTemperature, StaysUniformInUniformMotion) {
   dough.body = "velocity_m_per_s = [1, 2, -1.5]";
   const auto s = dough.begin();
   take_steps(*s, 100, dough.dt);
-  const auto [low, high] = s->temperatures();
+  const double low = -s->highest(highest::coldness), high = s->highest(highest::temperature);
   EXPECT_NEAR(low, 20, 20e-10);
   EXPECT_NEAR(high, 20, 20e-10);
 }

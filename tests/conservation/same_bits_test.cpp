@@ -120,8 +120,8 @@ TEST_P(SameBits, InASceneInWhichEverythingHappens) {
   EXPECT_GT(now.evaporated, 0);
   EXPECT_GT(now.dissipated, 0);
   EXPECT_GT(now.gas, 0);
-  EXPECT_GT(s->booked()[static_cast<std::size_t>(Entry::contact_area)], 0);
-  for (const double x : s->ledger_row()) EXPECT_TRUE(std::isfinite(x));
+  EXPECT_GT(s->booked(booked::contact_area), 0);
+  for (const double x : ledger_row(*s)) EXPECT_TRUE(std::isfinite(x));
 }
 
 INSTANTIATE_TEST_SUITE_P(In, SameBits,

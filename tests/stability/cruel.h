@@ -13,7 +13,7 @@
 namespace bake {
 
 inline void expect_finite(const Simulation& s) {
-  for (const double x : s.ledger_row()) ASSERT_TRUE(std::isfinite(x));
+  for (const double x : ledger_row(s)) ASSERT_TRUE(std::isfinite(x));
   const Snapshot now = s.snapshot();
   for (const auto& [name, values] : now.columns)
     for (const double x : values) ASSERT_TRUE(std::isfinite(x)) << name;

@@ -108,11 +108,11 @@ TYPED_TEST(PoreGas, FiniteLeavenerKeepsWhatIsMadePlusWhatIsLeft) {
   ParticleOfEverything<TypeParam> p;
   p[field::theta] = lanes<TypeParam>(40);
   p[field::c] = lanes<TypeParam>(1);
-  Report<TypeParam> report{};
+  BooksOfEverything<TypeParam> books;
   Step<TypeParam> step;
   step.dt = TypeParam(0.01);
   for (int i = 1; i <= 200; ++i) {
-    Leavening::gather(p, 0, this->k, step, report);
+    Leavening::gather(p, 0, this->k, step, books);
     const double made = static_cast<double>(p[field::nu][0]), left = static_cast<double>(p[field::c][0]);
     ASSERT_NEAR(made + 2 * left, 2, 2 * i * this->eps);
     ASSERT_GE(left, 0);

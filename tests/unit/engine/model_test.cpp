@@ -62,8 +62,8 @@ TEST(AModel, HasOnlyTheColumnsOfItsEffects) {
   for (const auto& column : physics->columns) names += column.name + " ";
   EXPECT_EQ(names, "position id initial_volume solid_mass temperature peak_temperature ");
   EXPECT_FALSE(physics->moves);
-  EXPECT_TRUE(physics->has_heat);
-  EXPECT_FALSE(physics->has_water);
+  EXPECT_GE(physics->temperature_channel, 0);
+  EXPECT_FALSE(physics->moves_mass);
 }
 
 /// The message for a combination that is not compiled.

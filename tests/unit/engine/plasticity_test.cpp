@@ -243,7 +243,7 @@ template <class Real>
 struct Mapped {
   using P = ParticleOfEverything<Real>;
   P p;
-  Report<Real> report{};
+  BooksOfEverything<Real> books;
   Scene scene;
   Plasticity::Constants<Real> k;
   double tr_before, shear2_before;
@@ -251,7 +251,6 @@ struct Mapped {
   Mapped(const std::string& material, const std::string& tables, const double (&strain)[6], double J_P = 1, double theta = 20,
          double dt = 0.01)
       : scene(scene_of_everything(material, tables)), k(scene, scene.materials[0]) {
-    report.alive = lanes<Real>(1);
     for (int i = 0; i < 6; ++i) p[field::epsilon][i] = lanes<Real>(static_cast<Real>(strain[i]));
     Symmetric<Lanes<Real>> e;
     for (int i = 0; i < 6; ++i) e.at[i] = p[field::epsilon][i];
@@ -264,7 +263,7 @@ struct Mapped {
     tr_before = trace_of(), shear2_before = shear2();
     Step<Real> step;
     step.dt = static_cast<Real>(dt);
-    Plasticity::gather(p, 0, k, step, report);
+    Plasticity::gather(p, 0, k, step, books);
   }
   double epsilon(int i) { return static_cast<double>(p[field::epsilon][i][0]); }
   double trace_of() { return epsilon(0) + epsilon(1) + epsilon(2); }
@@ -277,7 +276,7 @@ struct Mapped {
     return sum;
   }
   double J_P() { return static_cast<double>(p[field::J_P][0]); }
-  double dissipated() { return static_cast<double>(report.booked[static_cast<int>(Entry::dissipated)][0]); }
+  double dissipated() { return static_cast<double>(books(booked::dissipated)[0]); }
 };
 
 constexpr double k_strain[6] = {0.02, -0.03, 0.025, 0.01, -0.02, 0.015};

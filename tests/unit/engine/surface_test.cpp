@@ -10,7 +10,7 @@ namespace {
 double measured_area(Dough dough) {
   dough.effects = "heat";
   dough.tables += "[oven]\nexchange_W_per_m2K = 1\n";
-  return dough.begin()->booked()[static_cast<std::size_t>(Entry::area)];
+  return dough.begin()->booked(booked::area);
 }
 
 double sphere_error(double cells, const char* precision) {

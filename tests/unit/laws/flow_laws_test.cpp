@@ -15,14 +15,13 @@ struct Flow {
   using L = Law<Real>;
   Plasticity::Constants<Real> k;
   ParticleOfEverything<Real> p;
-  Report<Real> report{};
+  BooksOfEverything<Real> books;
   double a, tau_y;  ///< of the yield surface in this step
   Symmetric<double> before, after;
   double J_P_before, J_P_after;
 
   /// `least`, `most`: decades of the yield stress relative to the trial.
   explicit Flow(bool with_viscosity = true, double least = -5, double most = 0.3) : k(constants()) {
-    report.alive = L::all(1);
     k.bulk = static_cast<Real>(decades(2, 6, "K"));
     k.mu = static_cast<Real>(decades(2, 6, "mu"));
     k.n_0 = static_cast<Real>(between(0.01, 0.9, "n_0"));
@@ -43,7 +42,7 @@ struct Flow {
     J_P_before = L::first(p[field::J_P]);
     Step<Real> step;
     step.dt = static_cast<Real>(decades(-5, -1, "dt"));
-    Plasticity::gather(p, 0, k, step, report);
+    Plasticity::gather(p, 0, k, step, books);
     after = strain_now();
     J_P_after = L::first(p[field::J_P]);
   }
@@ -73,7 +72,7 @@ struct Flow {
   double rounding(const Symmetric<double>& e) const {
     return 64 * L::eps * static_cast<double>(std::sqrt(a) * k.bulk + 3 * k.mu) * std::sqrt(norm_squared(e));
   }
-  double dissipated() const { return L::first(report.booked[static_cast<int>(Entry::dissipated)]); }
+  double dissipated() const { return L::first(books(booked::dissipated)); }
 };
 
 template <class Real>

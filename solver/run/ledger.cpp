@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "solver/run/ledger.h"
+
+#include <algorithm>
+
+#include "solver/effects/all_effects.h"
+#include "solver/effects/common.h"
+#include "solver/run/simulation.h"
+#include "solver/scene/scene.h"
+
+namespace bake {
+namespace {
+
+constexpr const char* k_at_frame = "state at the frame";
+constexpr const char* k_summed = "summed over the particles at the frame";
+constexpr const char* k_booked = "booked in every step, summed since the start";
+constexpr const char* k_left = "summed over the particles that left through open faces, when they left";
+constexpr const char* k_poured = "summed over the particles that emitters poured, when they were poured";
+
+/// "kg m^2/s" as a name's end: "_kg_m2_per_s".
+std::string as_suffix(std::string_view unit) {
+  std::string text = "_";
+  for (const char c : unit) text += c == ' ' ? "_" : c == '/' ? "_per_" : c == '^' ? "" : std::string(1, c);
+  return text == "_" || text == "_1" ? "" : text;
+}
+
+/// Takes down the columns of one effect.
+class Columns {
+ public:
+  Columns(std::vector<LedgerColumn>& all, const char* effect) : all_(all), effect_(effect) {}
+
+  /// One column for each of the numbers of a quantity; none if it has no name.
+  template <class Q, class Value>
+  void add(Q, const std::string& prefix, const char* how, Value value) {
+    if (std::string_view(Q::name).empty()) return;
+    for (int i = 0; i < Q::width; ++i) {
+      const std::string axis = Q::width == 3 ? std::string("_") + "xyz"[i] : "";
+      all_.push_back({prefix + Q::name + axis + as_suffix(Q::unit), Q::unit, Q::meaning, how, effect_,
+                      [value, i](const Simulation& now) { return value(now, i); }});
+    }
+  }
+  /// A column that is made of others.
+  template <class Value>
+  void made(const char* name, const char* unit, const char* meaning, Value value) {
+    all_.push_back({name + as_suffix(unit), unit, meaning, k_at_frame, effect_, [value](const Simulation& now) { return value(now); }});
+  }
+
+ private:
+  std::vector<LedgerColumn>& all_;
+  std::string effect_;
+};
+
+template <class E>
+void add_columns(std::vector<LedgerColumn>& all, const char* effect) {
+  Columns columns(all, effect);
+  E::Totals::for_each([&](auto q) { columns.add(q, "", k_summed, [q](const Simulation& now, int i) { return now.total(q, i); }); });
+  E::Booked::for_each([&](auto q) { columns.add(q, "", k_booked, [q](const Simulation& now, int i) { return now.booked(q, i); }); });
+  BAKE_CALL(E, ledger, columns);
+}
+
+template <class E>
+void add_passing(std::vector<LedgerColumn>& all, const char* effect) {
+  Columns columns(all, effect);
+  E::Totals::for_each([&](auto q) {
+    columns.add(q, "retired_", k_left, [q](const Simulation& now, int i) { return now.retired(q, i); });
+    columns.add(q, "emitted_", k_poured, [q](const Simulation& now, int i) { return now.emitted(q, i); });
+  });
+}
+
+std::vector<LedgerColumn> make_ledger() {
+  std::vector<LedgerColumn> all;
+  Columns run(all, "");
+  const auto extent = [](std::size_t axis) {
+    return [axis](const Simulation& now) { return now.particles() == 0 ? 0 : now.extent().high[axis] - now.extent().low[axis]; };
+  };
+  run.made("time", "s", "simulated time", [](const Simulation& now) { return now.time(); });
+  run.made("steps", "1", "time steps so far", [](const Simulation& now) { return double(now.counters().steps); });
+  run.made("dt", "s", "length of the step that comes next", [](const Simulation& now) { return now.dt(); });
+  run.made("particles", "1", "particles in the domain", [](const Simulation& now) { return double(now.particles()); });
+  run.made("retired_particles", "1", "particles that left through open faces",
+           [](const Simulation& now) { return double(now.counters().retired); });
+  run.made("clamped_particles", "1", "times that a particle was held at a closed face",
+           [](const Simulation& now) { return double(now.counters().clamped); });
+  run.made("height", "m", "extent of the particles along z", extent(2));
+  run.made("extent_x", "m", "extent of the particles along x", extent(0));
+  run.made("extent_y", "m", "extent of the particles along y", extent(1));
+  add_columns<Common>(all, "");
+  for_each_effect([&]<class E>() { add_columns<E>(all, E::name); });
+  add_passing<Common>(all, "");
+  for_each_effect([&]<class E>() { add_passing<E>(all, E::name); });
+  return all;
+}
+
+}  // namespace
+
+const std::vector<LedgerColumn>& ledger() {
+  static const std::vector<LedgerColumn> all = make_ledger();
+  return all;
+}
+
+std::vector<std::string> ledger_columns() {
+  std::vector<std::string> names;
+  for (const LedgerColumn& column : ledger()) names.push_back(column.name);
+  return names;
+}
+
+std::vector<double> ledger_row(const Simulation& simulation) {
+  std::vector<double> row;
+  for (const LedgerColumn& column : ledger()) row.push_back(column.value(simulation));
+  return row;
+}
+
+bool is_of_scene(const Scene& scene, std::string_view name) {
+  const auto found = std::find_if(ledger().begin(), ledger().end(), [&](const LedgerColumn& column) { return column.name == name; });
+  return found != ledger().end() && (found->effect.empty() || scene.lists(found->effect));
+}
+
+}  // namespace bake
