@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "solver/io/provenance.h"
+#include "solver/run/ledger.h"
 #include "solver/scene/explain.h"
 
 namespace bake::cli {
@@ -23,11 +24,12 @@ std::string version_line() {
 
 void add_help_commands(CLI::App& app, Action& action) {
   auto key = std::make_shared<std::string>();
-  CLI::App& explain_command = *app.add_subcommand("explain", "Say what a scene key means: unit, default, allowed values");
-  explain_command.add_option("key", *key, "a key, a table, an effect or a shape; without it, an overview of all keys");
+  CLI::App& explain_command = *app.add_subcommand("explain", "Say what a scene key or a column of results means");
+  explain_command.add_option("key", *key, "a key, a table, an effect, a shape, or a column of the ledger or of frames; without it, an overview of all keys");
   explain_command.callback([key, &action] {
     action = [key] {
-      fmt::print("{}", explain(*key));
+      const std::string column = key->empty() ? "" : explain_column(*key);
+      fmt::print("{}", column.empty() ? explain(*key) : column);
       return k_success;
     };
   });

@@ -3,7 +3,7 @@
 //
 // A struct that can be read from a scene lists its members once, in a static function `parameters()`:
 //
-//     struct Heat::Material {
+//     struct Material {
 //       double conductivity_W_per_mK = 0.5;
 //       static constexpr auto parameters() {
 //         return std::tuple{Parameter{"conductivity_W_per_mK", &Material::conductivity_W_per_mK, "W/(m K)",

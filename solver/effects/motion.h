@@ -170,7 +170,10 @@ struct Motion : Effect {
     }
   }
 
-  static void show(auto& frame) { frame.stored(field::J); }
+  static void show(auto& frame) {
+    frame.sampled(field::v);
+    frame.stored(field::J);
+  }
 
   static void ledger(auto& columns) {
     columns.made("max_speed", "m/s", "speed of the fastest particle",

@@ -6,9 +6,7 @@
 #include <bit>
 #include <tuple>
 
-#include "solver/effects/heat.h"
-#include "solver/effects/motion.h"
-#include "solver/effects/water.h"
+#include "solver/effects/common.h"
 #include "solver/engine/model_list.h"
 #include "solver/engine/physics.h"
 #include "solver/scene/scene.h"
@@ -136,6 +134,8 @@ struct Model<Real, Effects...>::Shown {
 template <class Real, class... Effects>
 struct Model<Real, Effects...>::FrameColumns {
   Model& model;
+  template <class F>
+  void sampled(F) {}  // no column of the store: whoever samples it writes it
   template <class F>
   void stored(F) {
     model.frame_columns.push_back({F::name, F::unit, [](const V* columns, int lane, int) { return Shown{columns, lane}[F{}]; }});

@@ -8,7 +8,7 @@ namespace bake {
 template <class Real>
 StepLimit largest_step(const Scene& scene, const Physics<Real>& physics, const Bounds& most, double contact_speed) {
   StepLimit limit{scene.time.largest_step_s, "time.largest_step_s"};
-  const double diffusion = scene.grid.kernel == KernelOrder::quadratic ? 1. / 3 : 1. / 2;  // see Heat::largest_step
+  const double diffusion = scene.grid.kernel == KernelOrder::quadratic ? 1. / 3 : 1. / 2;  // as the effects derive
   physics.limit_step(most, {scene.dx(), scene.time.safety, scene.time.cfl, diffusion}, scene, limit);
   double speed = contact_speed;
   for (const Emitter& emitter : scene.emitters)  // what is poured arrives between two choices

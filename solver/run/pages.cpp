@@ -5,9 +5,7 @@
 #include <set>
 
 #include "solver/effects/all_effects.h"
-#include "solver/effects/flip_memory.h"
-#include "solver/effects/free_surface.h"
-#include "solver/effects/moving_water.h"
+#include "solver/effects/composed_effects.h"
 #include "solver/run/ledger.h"
 
 namespace bake {
@@ -17,6 +15,10 @@ namespace {
 struct ShownWords {
   std::vector<FrameColumnWords>& all;
   const char* effect;
+  template <class F>
+  void sampled(F f) {
+    stored(f);
+  }
   template <class F>
   void stored(F) {
     all.push_back({F::name, F::unit, F::meaning, effect});
@@ -71,17 +73,17 @@ template <class Visit>
 void for_each_part(Visit visit) {
   visit.template operator()<Common>();
   for_each_effect(visit);
-  visit.template operator()<FreeSurface>();
-  visit.template operator()<MovingWater>();
-  visit.template operator()<FlipMemory>();
+  const auto implied = [&]<class E>(E*) {
+    if constexpr (Implied<E>) visit.template operator()<E>();
+  };
+  [&]<class... E>(std::tuple<E...>*) { (implied(static_cast<E*>(nullptr)), ...); }(static_cast<ComposedEffects*>(nullptr));
 }
 
 }  // namespace
 
 std::vector<FrameColumnWords> frame_columns() {
   std::vector<FrameColumnWords> all{{"id", "1", "number that the particle keeps for life", ""},
-                                    {"material", "1", "number of its [[material]] in the scene, from 0", ""},
-                                    {"velocity", "m/s", "velocity at the frame", "motion"}};
+                                    {"material", "1", "number of its [[material]] in the scene, from 0", ""}};
   ShownWords common{all, ""};
   Common::show(common);
   for_each_effect([&]<class E>() {
