@@ -7,7 +7,6 @@
 #include "cli/commands.h"
 #include "reference/compare/side_by_side.h"
 #include "solver/program/scene_files.h"
-#include "solver/scene/reader.h"
 
 namespace bake::cli {
 namespace {
@@ -25,7 +24,7 @@ constexpr double k_largest_grid = 2e9;  // bytes
 Scene read(const CompareArguments& arguments) {
   ReadOptions options{arguments.quality, arguments.overrides};
   options.overrides.push_back("run.precision=double");
-  return read_scene(find_scene(arguments.scene), options);
+  return open_scene(arguments.scene, options);
 }
 
 void refuse_large_grid(const Scene& scene) {

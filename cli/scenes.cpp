@@ -11,7 +11,6 @@
 #include "experiments/make/make_figure.h"
 #include "solver/program/scene_files.h"
 #include "solver/run/run.h"
-#include "solver/scene/reader.h"
 
 namespace bake::cli {
 namespace {
@@ -68,7 +67,7 @@ int list_cases() {
 }
 
 int info(const SceneArguments& arguments) {
-  const Scene scene = read_scene(find_scene(arguments.scene), {arguments.quality, {}});
+  const Scene scene = open_scene(arguments.scene, {arguments.quality, {}});
   fmt::print("{}\n", describe_scene(scene));
   for (const std::string& line : studies::accuracy::expected_of(scene, BAKE_SOURCE_DIR "/paper/accuracy.json"))
     fmt::print("  measured     {}\n", line);
@@ -76,7 +75,7 @@ int info(const SceneArguments& arguments) {
 }
 
 int validate(const SceneArguments& arguments) {
-  const Scene scene = read_scene(find_scene(arguments.scene));
+  const Scene scene = open_scene(arguments.scene);
   fmt::print("{}: valid\n", scene.file.string());
   return k_success;
 }

@@ -57,6 +57,7 @@ void make_run(const FigurePaths& paths, const FigureRun& run) {
   Scene scene = scene_of(paths, run);
   scene.file = fs::absolute(scene.file);  // a mesh is named from here
   if (run.mesh) use_mesh(scene, make_mesh(paths, run, scene));
+  for (const std::string& notice : scene.notices) say(paths.options, notice);
   RunOptions options;
   options.out = paths.run(run.name);
   options.threads = paths.options.threads;

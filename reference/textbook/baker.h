@@ -17,8 +17,8 @@ struct Beginning {
   int material = 0;
   Vector x, v;
   double volume = 0;
-  Vector spin;       ///< of the body around it, about which C turns [rad/s]
-  double theta = 0;  ///< [C]
+  Vector angular_velocity;  ///< of the body around it, about which C turns [rad/s]
+  double theta = 0;         ///< [C]
   double saturation = 0;
   double leavener = 1;
 };

@@ -26,10 +26,10 @@ struct Node {
   double heat_content = 0;   ///< [J]
   double heat_change = 0;    ///< what the step brings [J]
   // surroundings
-  double area = 0;             ///< A_i, touching air [m^2]
-  double exchange = 0;         ///< sum A beta, of air and solids [W/K]
-  double exchange_source = 0;  ///< sum A beta theta_out [W]
-  std::optional<double> held;  ///< theta that a grip holds [C]
+  double area = 0;                  ///< A_i, touching air [m^2]
+  double heat_transfer = 0;         ///< sum A beta, of air and solids [W/K]
+  double heat_transfer_source = 0;  ///< sum A beta theta_out [W]
+  std::optional<double> held;       ///< theta that a grip holds [C]
   // after the step
   double moved_water = 0;   ///< change of m_i^w, evaporation included [kg]
   double evaporated = 0;    ///< [kg]

@@ -71,7 +71,7 @@ struct Recipe {
   double inertia_scale = 1;  ///< inertial mass per mass
 
   HeatStep heat_step = HeatStep::forward_euler;
-  Form exchange_form = Form::standard, expansion_form = Form::standard, water_form = Form::standard, leavening_form = Form::standard,
+  Form heat_transfer_form = Form::standard, expansion_form = Form::standard, water_form = Form::standard, leavening_form = Form::standard,
        porosity_form = Form::standard, surface_form = Form::standard;
   Norm norm = Norm::distance;
   double alpha_w = 0;                            ///< heat capacity of water per mass [J/(kg K)]

@@ -24,18 +24,18 @@ struct Keyframe {
   }
 };
 
-/// Rigid pose x = R (X - pivot) + centre, and its velocity field v(x) = velocity + spin x (x - centre).
+/// Rigid pose x = R (X - pivot) + centre, and its velocity field v(x) = velocity + omega x (x - centre).
 struct RigidState {
-  Rotation rotation = k_no_rotation;  ///< rows of R
-  Point centre = {0, 0, 0};           ///< where the pivot is now [m]
-  Point pivot = {0, 0, 0};            ///< where the pivot was drawn [m]
-  Vector3 velocity = {0, 0, 0};       ///< of the pivot [m/s]
-  Vector3 spin = {0, 0, 0};           ///< angular velocity [rad/s]
+  Rotation rotation = k_no_rotation;     ///< rows of R
+  Point centre = {0, 0, 0};              ///< where the pivot is now [m]
+  Point pivot = {0, 0, 0};               ///< where the pivot was drawn [m]
+  Vector3 velocity = {0, 0, 0};          ///< of the pivot [m/s]
+  Vector3 angular_velocity = {0, 0, 0};  ///< omega [rad/s]
 
   Point to_drawn(const Point& x) const { return turn_back(rotation, x - centre) + pivot; }  ///< world -> drawn frame
   Point to_world(const Point& drawn) const { return rotation * (drawn - pivot) + centre; }
   Vector3 turn(const Vector3& drawn) const { return rotation * drawn; }  ///< direction in the drawn frame -> world
-  Vector3 velocity_at(const Point& x) const { return velocity + cross(spin, x - centre); }
+  Vector3 velocity_at(const Point& x) const { return velocity + cross(angular_velocity, x - centre); }
 };
 
 /// Piecewise rigid motion through keyframes: offsets linear in time, rotations at constant angular velocity, at rest
@@ -59,7 +59,7 @@ class RigidPath {
     Vector3 offset = {0, 0, 0};    ///< at the start
     Quaternion orientation;        ///< at the start
     Vector3 velocity = {0, 0, 0};  ///< of the pivot
-    Vector3 spin = {0, 0, 0};
+    Vector3 angular_velocity = {0, 0, 0};
   };
   RigidState state(const Leg& leg, double since_s) const;
 

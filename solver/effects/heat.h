@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Heat: conduction, exchange with oven and hot colliders, thermal expansion. [Ding19 Sec. 4, 6.3]
+// Heat: conduction, heat transfer from oven and hot colliders, thermal expansion. [Ding19 Sec. 4, 6.3]
 #pragma once
 
 #include "solver/core/parameter.h"
@@ -12,7 +12,7 @@ namespace bake {
 
 struct Heat {
   static constexpr const char* name = "heat";
-  static constexpr const char* meaning = "temperature: conduction, exchange with the surroundings, thermal expansion";
+  static constexpr const char* meaning = "temperature: conduction, heat transfer from the surroundings, thermal expansion";
 
   enum class Integrator { forward_euler, backward_euler };
   friend constexpr auto choice_names(Integrator) { return std::array{"forward_euler", "backward_euler"}; }
@@ -20,7 +20,7 @@ struct Heat {
   struct Settings {
     Integrator integrator = Integrator::forward_euler;
     double tolerance = 1e-8;
-    Form exchange_form = Form::standard;
+    Form heat_transfer_form = Form::standard;
     Form expansion_form = Form::standard;
     double water_specific_heat_J_per_kgK = 4186;
     double implicit_step_factor = 100;
@@ -29,8 +29,9 @@ struct Heat {
           Parameter{"integrator", &Settings::integrator, "", any_number, "gamma = 0 (forward Euler) or 1 (backward Euler) of Sec. 6.3"},
           Parameter{"tolerance", &Settings::tolerance, "1", open_fraction,
                     "relative residual at which backward Euler's conjugate gradients stop"},
-          Parameter{"exchange_form", &Settings::exchange_form, "", any_number,
-                    "surface flux beta (theta_out - theta) (standard) or with the printed sign (published)"},
+          Parameter{"heat_transfer_form", &Settings::heat_transfer_form, "", any_number,
+                    "surface flux beta (theta_out - theta) (standard) or with the printed sign (published)", Presence::optional,
+                    "exchange_form"},
           Parameter{"expansion_form", &Settings::expansion_form, "", any_number,
                     "thermal stress from g = ln J in stress and heat (standard) or the printed powers of J (published)"},
           Parameter{"water_specific_heat_J_per_kgK", &Settings::water_specific_heat_J_per_kgK, "J/(kg K)", positive,
@@ -145,7 +146,7 @@ struct Heat {
   }
 
   /// (content + change + dt sum S beta theta_out) / (capacity + dt sum S beta), the capacity being that after the step's water
-  /// fluxes: exchange is implicit at the node, so a light surface node never limits the step; it gains what the surroundings
+  /// fluxes: the transfer is implicit at the node, so a light surface node never limits the step; it gains what the surroundings
   /// lose, to round-off. Vapour leaves with the new temperature.
   /// DEPARTS [Ding19 Sec. 4, 6.3]: the boundary flux is beta (theta_out - theta); as printed, a hot body heats itself.
   template <class N, class S, class B>
@@ -163,10 +164,10 @@ struct Heat {
       capacity += node.water_specific_heat * (node.sums.moved + node.sums.evaporated);
     }
     const auto& around = node.surroundings;
-    const auto exchange = step.dt * around.exchange, source = step.dt * around.exchange_source;
-    const auto weight = capacity + exchange;
+    const auto transfer = step.dt * around.heat_transfer, source = step.dt * around.heat_transfer_source;
+    const auto weight = capacity + transfer;
     auto theta = filled ? (content + change + source) / weight : none;
-    if (node.published_exchange) theta = filled ? (content + change - source + exchange * old) / capacity : none;
+    if (node.published_heat_transfer) theta = filled ? (content + change - source + transfer * old) / capacity : none;
     book(booked, Entry::exchanged, filled ? capacity * theta - (content + change) : none);
     const auto held = around.is_held & filled;
     book(booked, Entry::exchanged, held ? capacity * (around.held - theta) : none);

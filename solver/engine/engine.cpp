@@ -29,8 +29,8 @@ Engine<Real>::Engine(const Scene& scene)
   const auto nonzero = [](const Curve& curve) {
     return std::any_of(curve.points.begin(), curve.points.end(), [](const Curve::Point& p) { return p.value != 0; });
   };
-  bool exchanges = nonzero(scene.oven.exchange_W_per_m2K);
-  for (const Collider& c : scene.colliders) exchanges |= c.exchange_W_per_m2K != 0;
+  bool exchanges = nonzero(scene.oven.heat_transfer_coefficient_W_per_m2K);
+  for (const Collider& c : scene.colliders) exchanges |= c.heat_transfer_coefficient_W_per_m2K != 0;
   bool evaporates = false;
   for (const Material& m : scene.materials) evaporates |= of<Water>(m).evaporation_kg_per_m2sK != 0;
   has_surface_ = (physics_->has_heat && exchanges) || (physics_->has_water && evaporates);

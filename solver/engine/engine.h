@@ -122,8 +122,8 @@ class Engine {
   std::vector<BlockResult<Real>> results_;  ///< of the home blocks in a pass
   std::vector<Budget> block_budgets_;       ///< of the grid's blocks in an update
   ImplicitHeat<Real> implicit_heat_;
-  std::vector<Real> heat_weight_, exchange_;  ///< of the nodes, for backward Euler
-  std::vector<NodeSums<Real>> sums_;          ///< of the nodes, W at a time, for backward Euler with water
+  std::vector<Real> heat_weight_, heat_transfer_;  ///< of the nodes, for backward Euler
+  std::vector<NodeSums<Real>> sums_;               ///< of the nodes, W at a time, for backward Euler with water
 
   double time_ = 0, dt_ = 0;
   std::int64_t next_identity_ = 0;

@@ -70,7 +70,7 @@ class Model final : public Physics<Real> {
 
   std::vector<Constants> materials_;
   Real inertia_, latent_heat_, water_specific_heat_;
-  bool published_exchange_;
+  bool published_heat_transfer_;
 };
 
 /// W particles: p[field] is a column or a transient number (one pack of lanes, or an array of them).
@@ -163,7 +163,7 @@ struct Model<Real, Effects...>::Node {
   NodeSums<Real>& sums;
   Real inertia;  ///< inertial mass per mass
   Real latent_heat_per_kg, water_specific_heat;
-  bool published_exchange;
+  bool published_heat_transfer;
 
   template <class C>
   static constexpr bool scatters = Scattered::template has<C>;
@@ -215,7 +215,7 @@ Model<Real, Effects...>::Model(const Scene& scene) {
   inertia_ = static_cast<Real>(scene.of<Motion>().inertia_scale);
   latent_heat_ = static_cast<Real>(scene.of<Water>().latent_heat_J_per_kg);
   water_specific_heat_ = static_cast<Real>(scene.of<Heat>().water_specific_heat_J_per_kgK);
-  published_exchange_ = scene.of<Heat>().exchange_form == Form::published;
+  published_heat_transfer_ = scene.of<Heat>().heat_transfer_form == Form::published;
   for (const Material& m : scene.materials)
     materials_.push_back({static_cast<Real>(m.initial_temperature_C),
                           m.density_kg_per_m3,
@@ -337,7 +337,7 @@ void Model<Real, Effects...>::count_leaving(Particle& p, const Constants& k, con
 template <class Real, class... Effects>
 void Model<Real, Effects...>::update_nodes(const V* scattered, V* gathered, NodeSums<Real>& sums, const Surroundings<Real>& around,
                                            const Step<Real>& step, Budget& booked) const {
-  Node node{scattered, gathered, around, sums, inertia_, latent_heat_, water_specific_heat_, published_exchange_};
+  Node node{scattered, gathered, around, sums, inertia_, latent_heat_, water_specific_heat_, published_heat_transfer_};
   const auto one = [&]<class Effect>() {
     if constexpr (requires { Effect::update(node, step, booked); }) Effect::update(node, step, booked);
   };

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <tuple>
 
 #include "solver/scene/nearest.h"
-#include "solver/scene/scene.h"
 
 namespace bake::cli {
 namespace {
@@ -79,6 +79,13 @@ std::filesystem::path find_scene(const std::string& name_or_path) {
                                  scenes.empty() ? "there is no experiments/ folder here" : suggestion(name_or_path, names(scenes))));
   }
   throw InputError(fmt::format("scene '{}' is ambiguous: {} and {}", name_or_path, matches[0].file.string(), matches[1].file.string()));
+}
+
+Scene open_scene(const std::string& name_or_path, const ReadOptions& options, bool quiet) {
+  Scene scene = read_scene(find_scene(name_or_path), options);
+  for (const std::string& notice : scene.notices)
+    if (!quiet) fmt::print(stderr, "bake: {}\n", notice);
+  return scene;
 }
 
 }  // namespace bake::cli

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "solver/scene/reader.h"
+
 namespace bake::cli {
 
 struct SceneFile {
@@ -21,5 +23,8 @@ std::vector<SceneFile> known_scenes();
 /// The file that is meant by a path, or by a name: `bread`, or `fig15_bread/bread` where several experiments have one.
 /// Throws InputError for a name that is unknown (with the nearest known one) or ambiguous; does not check that a path exists.
 std::filesystem::path find_scene(const std::string& name_or_path);
+
+/// Reads the scene that `find_scene` finds and prints its notices on standard error, unless `quiet`. Throws as read_scene.
+Scene open_scene(const std::string& name_or_path, const ReadOptions& options = {}, bool quiet = false);
 
 }  // namespace bake::cli

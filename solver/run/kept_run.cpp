@@ -13,9 +13,9 @@ namespace {
 
 /// What decides the numbers of a run.
 nlohmann::json identity(const nlohmann::json& scene, const nlohmann::json& program) {
-  nlohmann::json without_place = scene;
-  without_place.erase("file");
-  return {without_place, program.at("solver"), program.at("compiler"), program.at("flags")};
+  nlohmann::json values = under_former_names(scene);
+  values.erase("file");
+  return {values, program.at("solver"), program.at("compiler"), program.at("flags")};
 }
 
 }  // namespace

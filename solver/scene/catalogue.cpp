@@ -24,7 +24,7 @@ std::vector<CatalogueKey> described_keys() {
   std::vector<CatalogueKey> keys;
   for_each_parameter<T>([&](const auto& parameter) {
     keys.push_back({parameter.key, parameter.unit, allowed<ValueOf<decltype(parameter)>>(parameter.range), standard_value(parameter, T{}),
-                    parameter.meaning});
+                    parameter.meaning, parameter.former ? parameter.former : ""});
   });
   return keys;
 }

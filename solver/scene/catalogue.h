@@ -14,6 +14,7 @@ struct CatalogueKey {
   std::string allowed;   ///< what values it takes
   std::string standard;  ///< what it is if not given, as TOML; "required" or "none"
   std::string meaning;
+  std::string former = {};  ///< what it was called before, or empty
 };
 
 /// A table of the scene file, or the part of [[material]] that belongs to one effect.

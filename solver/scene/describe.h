@@ -15,6 +15,7 @@
 #include "solver/boundary/motion_path.h"
 #include "solver/boundary/shape.h"
 #include "solver/core/parameter.h"
+#include "solver/scene/nearest.h"
 
 namespace bake {
 
@@ -51,6 +52,17 @@ std::vector<std::string> keys_of() {
   std::vector<std::string> keys;
   (for_each_parameter<Structs>([&](const auto& parameter) { keys.emplace_back(parameter.key); }), ...);
   return keys;
+}
+
+/// Former names of keys of all the structs.
+template <Declared... Structs>
+FormerNames former_names_of() {
+  FormerNames names;
+  const auto add = [&](const auto& parameter) {
+    if (parameter.former) names.emplace(parameter.former, parameter.key);
+  };
+  (for_each_parameter<Structs>(add), ...);
+  return names;
 }
 
 /// Names of an enumeration: "apic", "pic", "flip".

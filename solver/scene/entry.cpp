@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "solver/core/errors.h"
-#include "solver/scene/nearest.h"
+#include "solver/core/parameter.h"
 
 namespace bake {
 namespace {
@@ -92,6 +92,15 @@ std::optional<SceneEntry> SceneEntry::find(std::string_view key) const {
   return SceneEntry(*this, *member, child_name(key));
 }
 
+std::optional<SceneEntry> SceneEntry::find(std::string_view key, const char* former) const {
+  const auto named_now = find(key), named_before = former ? find(former) : std::nullopt;
+  if (!named_before) return named_now;
+  if (named_now) named_before->complain(fmt::format("found beside {}, its new name, allowed: one of them", key));
+  document_->notices.push_back(fmt::format("{}: {} is now called {}; the old name is read until {}", named_before->place_,
+                                           named_before->name_, key, k_former_keys_end));
+  return named_before;
+}
+
 SceneEntry SceneEntry::absent_table(std::string_view key) const { return SceneEntry(*this, k_empty_table, child_name(key)); }
 
 std::vector<SceneEntry> SceneEntry::elements() const {
@@ -127,12 +136,12 @@ void SceneEntry::refuse_missing(std::string_view key, std::string_view allowed) 
   throw InputError(fmt::format("{}: {}: missing, allowed: {}", place_, child_name(key), allowed));
 }
 
-void SceneEntry::refuse_unknown(const std::vector<std::string>& known) const {
+void SceneEntry::refuse_unknown(const std::vector<std::string>& known, const FormerNames& former) const {
   for (auto&& [key, member] : *node_->as_table()) {
-    if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+    if (former.contains(std::string(key.str())) || std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
     SceneEntry at_key = *this;
     at_key.place_ = place_of(key.source());
-    at_key.complain(fmt::format("unknown key '{}', {}", quotable(key.str()), suggestion(key.str(), known)));
+    at_key.complain(fmt::format("unknown key '{}', {}", quotable(key.str()), suggestion(key.str(), known, former)));
   }
 }
 

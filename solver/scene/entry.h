@@ -10,12 +10,15 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/scene/nearest.h"
+
 namespace bake {
 
 /// How the scene file is called in messages, and where its relative paths start.
 struct Document {
   std::string name;
   std::filesystem::path folder;
+  mutable std::vector<std::string> notices = {};  ///< lines for people, added as it is read: keys under former names
 };
 
 /// A node of the parsed file with its dotted name. Refers to the document and the node: both must outlive it.
@@ -29,6 +32,8 @@ class SceneEntry {
 
   /// The member of this table, if it is there. This entry must be a table.
   std::optional<SceneEntry> find(std::string_view key) const;
+  /// The same, also under the key's former name, if it has one: then the document gets a notice. Complains if both are there.
+  std::optional<SceneEntry> find(std::string_view key, const char* former) const;
   /// An empty table in the place of a member that is not there.
   SceneEntry absent_table(std::string_view key) const;
   /// The members of this array. This entry must be an array.
@@ -44,8 +49,8 @@ class SceneEntry {
   [[noreturn]] void complain_at(std::string_view key, std::string_view problem) const;
   [[noreturn]] void refuse(std::string_view allowed) const;  ///< "found <this value>, allowed: ..."
   [[noreturn]] void refuse_missing(std::string_view key, std::string_view allowed) const;
-  /// Complains about the first member of this table that is none of `known`.
-  void refuse_unknown(const std::vector<std::string>& known) const;
+  /// Complains about the first member of this table that is none of `known` and no former name.
+  void refuse_unknown(const std::vector<std::string>& known, const FormerNames& former = {}) const;
   /// Complains if this is no table.
   void expect_table() const;
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solver/core/errors.h"
+#include "solver/scene/catalogue.h"
 #include "solver/scene/entry.h"
 
 namespace bake {
@@ -91,11 +92,24 @@ toml::node& step_into(const Override& change, toml::node& node, const std::strin
   return table->insert_or_assign(toml::key(key, toml::source_region(fresh.source())), std::move(fresh)).first->second;
 }
 
+/// Takes out what stands under the other name, former or new, of the key that is overridden.
+void forget_other_name(const Override& change, toml::table& table) {
+  for (const CatalogueSection& section : catalogue()) {
+    if (section.name != change.keys.front()) continue;
+    for (const CatalogueKey& key : section.keys) {
+      if (key.former.empty()) continue;
+      if (key.key == change.keys.back()) table.erase(key.former);
+      if (key.former == change.keys.back()) table.erase(key.key);
+    }
+  }
+}
+
 void put(const Override& change, toml::node& node, const std::string& key, toml::node&& value) {
   if (toml::array* list = node.as_array()) {
     const auto at = list->erase(list->cbegin() + static_cast<std::ptrdiff_t>(position(change, *list, key)));
     std::move(value).visit([&](auto&& concrete) { list->insert(at, std::forward<decltype(concrete)>(concrete)); });
   } else if (toml::table* table = node.as_table()) {
+    forget_other_name(change, *table);
     toml::key place(key, toml::source_region(value.source()));
     std::move(value).visit([&](auto&& concrete) { table->insert_or_assign(std::move(place), std::forward<decltype(concrete)>(concrete)); });
   } else {

@@ -79,7 +79,7 @@ template <Declared T>
 void read_members(const SceneEntry& entry, T& target, Demand demand) {
   for_each_parameter<T>([&](const auto& parameter) {
     using Value = ValueOf<decltype(parameter)>;
-    if (const auto member = entry.find(parameter.key)) {
+    if (const auto member = entry.find(parameter.key, parameter.former)) {
       target.*parameter.member = read_value<Value>(*member, parameter.range);
     } else if (demand == Demand::required_keys && parameter.presence == Presence::required) {
       entry.refuse_missing(parameter.key, allowed<Value>(parameter.range));
@@ -91,7 +91,7 @@ void read_members(const SceneEntry& entry, T& target, Demand demand) {
 template <Declared T>
 T read_table(const SceneEntry& entry, Demand demand = Demand::required_keys) {
   entry.expect_table();
-  entry.refuse_unknown(keys_of<T>());
+  entry.refuse_unknown(keys_of<T>(), former_names_of<T>());
   T target;
   read_members(entry, target, demand);
   return target;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "solver/effects/all_effects.h"
+#include "solver/scene/catalogue.h"
 #include "solver/scene/json_value.h"
 #include "solver/scene/layout.h"
 
@@ -57,6 +58,18 @@ nlohmann::json json_section(const std::vector<T>& list, const Scene& scene) {
   return array;
 }
 
+/// Gives every key of an object, and of those in it, its former name where it has one.
+void take_former_names(nlohmann::json& values, const FormerNames& former) {
+  if (!values.is_structured()) return;
+  for (nlohmann::json& value : values) take_former_names(value, former);
+  if (!values.is_object()) return;
+  for (const auto& [old, name] : former) {
+    if (!values.contains(name)) continue;
+    values[old] = std::move(values[name]);
+    values.erase(name);
+  }
+}
+
 std::uint64_t fnv1a(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
@@ -99,12 +112,22 @@ nlohmann::json resolved(const Scene& scene) {
   return object;
 }
 
+nlohmann::json under_former_names(nlohmann::json resolved_scene) {
+  FormerNames former;
+  for (const CatalogueSection& section : catalogue()) {
+    for (const CatalogueKey& key : section.keys)
+      if (!key.former.empty()) former.emplace(key.former, key.key);
+  }
+  take_former_names(resolved_scene, former);
+  return resolved_scene;
+}
+
 std::string scene_fingerprint(const Scene& scene) {
   nlohmann::json values = resolved(scene);
   values.erase("file");
   values["run"].erase("end_s");
   values["run"].erase("checkpoint_every_frames");
-  return fmt::format("{:016x}", fnv1a(values.dump()));
+  return fmt::format("{:016x}", fnv1a(under_former_names(std::move(values)).dump()));
 }
 
 std::string default_text(const nlohmann::json& value) {

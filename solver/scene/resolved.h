@@ -14,6 +14,10 @@ struct Scene;
 /// null, curves are lists of [time_s, value], shapes are as the scene draws them with their own defaults filled in.
 nlohmann::json resolved(const Scene& scene);
 
+/// The same with every key under its former name, if it has one. Scenes are compared like this, so that results which were kept before
+/// a key got its present name stay those of their scene.
+nlohmann::json under_former_names(nlohmann::json resolved_scene);
+
 /// Hash (16 hexadecimal digits) of the resolved scene without where its file is, run.end_s and run.checkpoint_every_frames:
 /// a checkpoint of one scene can be continued by another exactly if they agree. The same on every machine.
 std::string scene_fingerprint(const Scene& scene);

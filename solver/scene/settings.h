@@ -111,13 +111,13 @@ struct SurfaceSettings {
 /// [oven] - the surroundings of every free surface.
 struct Oven {
   Curve temperature_C{20};
-  Curve exchange_W_per_m2K{0};
+  Curve heat_transfer_coefficient_W_per_m2K{0};
   Curve equilibrium_saturation{0};
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"temperature_C", &Oven::temperature_C, "C", above_absolute_zero, "theta_out: ambient temperature over time"},
-        Parameter{"exchange_W_per_m2K", &Oven::exchange_W_per_m2K, "W/(m^2 K)", non_negative,
-                  "beta: heat exchange of a free surface over time"},
+        Parameter{"heat_transfer_coefficient_W_per_m2K", &Oven::heat_transfer_coefficient_W_per_m2K, "W/(m^2 K)", non_negative,
+                  "beta: heat transfer coefficient of a free surface over time", Presence::optional, "exchange_W_per_m2K"},
         Parameter{"equilibrium_saturation", &Oven::equilibrium_saturation, "1", fraction,
                   "s_out: saturation that the air's humidity would keep at the surface, over time"},
     };

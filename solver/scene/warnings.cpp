@@ -37,9 +37,10 @@ bool any_of(const Things& things, Predicate predicate) {
 
 std::string idle_motion(const Scene& scene, const std::vector<const Material*>& materials) {
   const auto moves = [](const auto& thing) { return thing.motion.size() > 1; };
-  const bool pushed = length(scene.of<Motion>().gravity_m_per_s2) > 0 || !scene.emitters.empty() || any_of(scene.colliders, moves) ||
-                      any_of(scene.grips, moves) ||
-                      any_of(scene.bodies, [](const Body& b) { return length(b.velocity_m_per_s) > 0 || length(b.spin_rad_per_s) > 0; });
+  const bool pushed =
+      length(scene.of<Motion>().gravity_m_per_s2) > 0 || !scene.emitters.empty() || any_of(scene.colliders, moves) ||
+      any_of(scene.grips, moves) ||
+      any_of(scene.bodies, [](const Body& b) { return length(b.velocity_m_per_s) > 0 || length(b.angular_velocity_rad_per_s) > 0; });
   const bool swells =
       scene.lists(Leavening::name) || any_of(materials, [&](const Material* m) {
         return (scene.lists(Heat::name) && of<Heat>(*m).expansion_per_K > 0) || (scene.lists(Water::name) && of<Water>(*m).pressure_Pa > 0);
@@ -49,16 +50,17 @@ std::string idle_motion(const Scene& scene, const std::vector<const Material*>& 
 
 std::string idle_heat(const Scene& scene, const std::vector<const Material*>& materials) {
   if (scene.lists(Leavening::name)) return "";  // which needs it
-  const bool exchanged = is_ever_above_zero(scene.oven.exchange_W_per_m2K) ||
-                         any_of(scene.colliders, [](const Collider& c) { return c.temperature_C && c.exchange_W_per_m2K > 0; }) ||
-                         any_of(scene.grips, [](const Grip& g) { return g.temperature_C.has_value(); });
+  const bool exchanged =
+      is_ever_above_zero(scene.oven.heat_transfer_coefficient_W_per_m2K) ||
+      any_of(scene.colliders, [](const Collider& c) { return c.temperature_C && c.heat_transfer_coefficient_W_per_m2K > 0; }) ||
+      any_of(scene.grips, [](const Grip& g) { return g.temperature_C.has_value(); });
   const bool cooled = scene.lists(Water::name) && scene.of<Water>().latent_heat_J_per_kg > 0 &&
                       any_of(materials, [](const Material* m) { return of<Water>(*m).evaporation_kg_per_m2sK > 0; });
   const bool uneven =
       any_of(scene.bodies, [](const Body& b) { return b.temperature_C.has_value(); }) ||
       any_of(scene.emitters, [](const Emitter& e) { return e.temperature_C.has_value(); }) ||
       any_of(materials, [&](const Material* m) { return m->initial_temperature_C != materials.front()->initial_temperature_C; });
-  return exchanged || cooled || uneven ? "" : "no exchange_W_per_m2K is above zero and everything starts equally warm";
+  return exchanged || cooled || uneven ? "" : "no heat_transfer_coefficient_W_per_m2K is above zero and everything starts equally warm";
 }
 
 std::string idle_water(const Scene&, const std::vector<const Material*>& materials) {
