@@ -51,7 +51,7 @@ int compare(const CompareArguments& arguments) {
     fmt::print("  {:<12} {:>18.2e} {:>12.4g} {:>10.1e}\n", d.field, d.largest, d.scale, d.relative());
   const bool agrees = worst(differences) <= k_largest_relative_difference;
   fmt::print("  they {} {:.0e}{}\n", agrees ? "agree to" : "differ by more than", k_largest_relative_difference,
-             agrees ? "" : " (what may part them: reference/textbook/README.md)");
+             agrees ? "" : " (reference/textbook/README.md names possible reasons)");
   return agrees ? k_success : k_failed_check;
 }
 

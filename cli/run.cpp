@@ -24,7 +24,7 @@ struct RunArguments {
   RunOptions options;
 };
 
-/// The scene with --end and --precision as what they are: shorter names of two overrides. They win over --set.
+/// Reads the scene. The options --end and --precision are short forms of two overrides; they win over --set.
 Scene read(const RunArguments& arguments) {
   ReadOptions options{arguments.quality, arguments.overrides};
   if (arguments.end_s) options.overrides.push_back(fmt::format("run.end_s={}", *arguments.end_s));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the dough ends, and what is on the other side.
+// The surface of the dough, and what is on its other side.
 #pragma once
 
 #include <vector>

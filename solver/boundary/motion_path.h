@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scripted rigid motion of colliders, grips and whatever else is moved by hand.
+// Prescribed rigid motion of colliders and grips.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@ struct Keyframe {
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"time_s", &Keyframe::time_s, "s", any_number, "time of this pose", Presence::required},
-        Parameter{"position_m", &Keyframe::position_m, "m", any_number, "offset from the place the shape was drawn at"},
+        Parameter{"position_m", &Keyframe::position_m, "m", any_number, "offset from the position in which the scene draws the shape"},
         Parameter{"rotation_deg", &Keyframe::rotation_deg, "deg", any_number, "rotation vector (axis times angle) about the pivot"},
     };
   }
@@ -39,9 +39,9 @@ struct RigidState {
 };
 
 /// Piecewise rigid motion through keyframes: offsets linear in time, rotations at constant angular velocity, at rest
-/// before the first and after the last. Between rotation vectors along one axis the rotation is as written, whole
-/// turns included ([0,0,0] to [0,0,720] turns twice); otherwise it goes the shorter way.
-/// At a key the velocity is that of the leg which begins there.
+/// before the first and after the last. Between rotation vectors along one axis the shape rotates as written,
+/// including whole turns ([0,0,0] to [0,0,720] turns twice); otherwise it takes the shorter way.
+/// At a keyframe the velocity is that of the leg that begins there.
 class RigidPath {
  public:
   RigidPath() = default;                                             ///< at rest where drawn

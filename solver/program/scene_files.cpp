@@ -14,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The nearest experiments/ at or above `start`; empty if there is none.
+/// The nearest folder experiments/ at or above `start`; empty if there is none.
 fs::path experiments_above(const fs::path& start) {
-  std::error_code ignored;  // a folder that we may not look into holds no scenes for us
+  std::error_code ignored;  // a folder that cannot be read counts as one without scenes
   for (fs::path folder = start; !folder.empty(); folder = folder.parent_path()) {
     if (fs::is_directory(folder / "experiments", ignored)) return fs::canonical(folder / "experiments", ignored);
     if (folder == folder.root_path()) break;

@@ -12,7 +12,7 @@
 namespace bake {
 namespace {
 
-/// The default as TOML, or that there is none.
+/// The default as TOML, or the word "required" or "none".
 template <class P, class Owner>
 std::string standard_value(const P& parameter, const Owner& fresh) {
   if (parameter.presence == Presence::required) return "required";
@@ -74,7 +74,7 @@ CatalogueSection described_shape() {
   return {S::name, fmt::format("shape = {{ {} = {{ ... }} }}", S::name), "", S::meaning, described_keys<S>()};
 }
 
-/// What every shape can have beside its own table.
+/// The keys that every shape can have beside its own table.
 CatalogueSection shapes_in_general() {
   CatalogueSection section{"shape", "shape = { <one shape> = { ... }, ... }", "",
                            "a solid: one named shape or combination, and where it is put", described_keys<Placement>()};

@@ -31,7 +31,7 @@ void check_rising(const SceneEntry& table, std::string_view key, const std::vect
   for (std::size_t i = 1; i < numbers.size(); ++i) {
     if (numbers[i] > numbers[i - 1]) continue;
     const SceneEntry member = table.find(key).value_or(table);
-    const SceneEntry place = member.node().is_array() ? member.elements().at(i) : member;  // one number may stand for all
+    const SceneEntry place = member.node().is_array() ? member.elements().at(i) : member;  // one number may stand for all four
     place.complain(fmt::format("found {} after {}, allowed: rising numbers", numbers[i], numbers[i - 1]));
   }
 }
@@ -50,7 +50,7 @@ void check_span(const SceneEntry& entry, const T& value) {
   complain_at(entry, key, fmt::format("found from_s = {} and until_s = {}, allowed: from_s before until_s", value.from_s, value.until_s));
 }
 
-/// What is filled with particles must end somewhere.
+/// A shape that is filled with particles must be bounded.
 void check_bounded(const SceneEntry& entry, const Shape& shape) {
   const Box3 box = shape.bounds();
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -59,7 +59,7 @@ void check_bounded(const SceneEntry& entry, const Shape& shape) {
   }
 }
 
-/// Something must be left for the solid.
+/// The mixture must be heavier than its water, so that mass is left for the solid.
 void check_water(const SceneEntry& entry, const Material& material) {
   const double water = material.initial_saturation * of<Water>(material).water_density_kg_per_m3;
   if (water < material.density_kg_per_m3) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Walking over declared parameters, and the words for what each kind of value may be.
+// Visits declared parameters, and describes in words which values each kind of parameter allows.
 #pragma once
 
 #include <fmt/format.h>
@@ -78,7 +78,7 @@ const char* word_of(E choice) {
   return choice_names(choice)[static_cast<std::size_t>(choice)];
 }
 
-/// What a user reads when a value of type T is refused or explained.
+/// The allowed values of type T in words, for error messages and explanations.
 template <class T>
 std::string allowed(const Range& range) {
   if constexpr (k_is_optional<T>) {

@@ -42,7 +42,7 @@ std::string in_one_line(std::string_view text) {
   return line;
 }
 
-/// The parser follows dotted keys by recursion, to any depth. Keys end with their line, so a bound of dots bounds the stack.
+/// The parser follows dotted keys by recursion, to any depth. A key ends with its line, so a bound on the dots per line bounds the stack.
 void refuse_endless_keys(std::string_view text, const std::string& name) {
   constexpr int k_most_dots = 3000;
   int line = 1, dots = 0;
@@ -65,7 +65,7 @@ std::string quotable(std::string_view text) {
   constexpr std::size_t k_longest = 60;
   std::string line = in_one_line(text.substr(0, k_longest));
   if (text.size() <= k_longest) return line;
-  while (!line.empty() && (static_cast<unsigned char>(line.back()) & 0xc0) == 0x80) line.pop_back();  // no half characters
+  while (!line.empty() && (static_cast<unsigned char>(line.back()) & 0xc0) == 0x80) line.pop_back();  // keeps UTF-8 characters whole
   return line + "...";
 }
 

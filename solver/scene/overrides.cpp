@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t k_deepest = 100;  // names in a dotted key; no scene key needs as many
 
-/// One `key=value`, taken apart.
+/// One `key=value`, split into its parts.
 struct Override {
   std::string place;  ///< what messages call it
   std::vector<std::string> keys;
@@ -55,12 +55,12 @@ std::optional<toml::table> parse_value(const std::string& value, const std::stri
   try {
     toml::table holder = parse_toml(fmt::format("value = {}", value), place);
     if (holder.size() == 1) return holder;
-  } catch (const InputError&) {  // said better by the caller, who knows both readings of the value
+  } catch (const InputError&) {  // the caller reports it, since it also tries another reading of the value
   }
   return std::nullopt;
 }
 
-/// A table whose single member is the new value: moving it out keeps its place, copying would not.
+/// A table whose single member is the new value: moving it out keeps its source position, copying would not.
 toml::table value_holder(const Override& change) {
   if (auto holder = parse_value(change.value, change.place)) return std::move(*holder);
   const std::size_t first = change.value.find_first_not_of(' ');
@@ -92,7 +92,7 @@ toml::node& step_into(const Override& change, toml::node& node, const std::strin
   return table->insert_or_assign(toml::key(key, toml::source_region(fresh.source())), std::move(fresh)).first->second;
 }
 
-/// Takes out what stands under the other name, former or new, of the key that is overridden.
+/// Erases the member under the other name, former or present, of the key that is overridden.
 void forget_other_name(const Override& change, toml::table& table) {
   for (const CatalogueSection& section : catalogue()) {
     if (section.name != change.keys.front()) continue;

@@ -67,7 +67,7 @@ T read_list_member(const SceneEntry& entry, const Scene&) {
   return read_table<T>(entry);
 }
 
-/// A material's table holds the keys of every effect beside its own.
+/// The table of a material holds the keys of every effect beside its own keys.
 template <>
 Material read_list_member<Material>(const SceneEntry& entry, const Scene& scene) {
   entry.expect_table();

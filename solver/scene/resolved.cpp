@@ -14,13 +14,13 @@
 namespace bake {
 namespace {
 
-/// File names may be any bytes, JSON is UTF-8.
+/// A file name may hold any bytes, but JSON must be UTF-8.
 nlohmann::json json_path(const std::filesystem::path& path) {
   using nlohmann::json;
   return json::parse(json(path.generic_string()).dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
-/// As the scene file would write it: from its own folder if that can be said.
+/// The path as the scene file would write it: relative to the scene's folder if possible.
 nlohmann::json json_path_in_scene(const std::filesystem::path& path, const Scene& scene) {
   if (path.empty()) return {};
   const std::filesystem::path relative = path.lexically_relative(scene.file.parent_path());
@@ -58,7 +58,7 @@ nlohmann::json json_section(const std::vector<T>& list, const Scene& scene) {
   return array;
 }
 
-/// Gives every key of an object, and of those in it, its former name where it has one.
+/// Renames every key that has a former name to it, in an object and in all objects inside it.
 void take_former_names(nlohmann::json& values, const FormerNames& former) {
   if (!values.is_structured()) return;
   for (nlohmann::json& value : values) take_former_names(value, former);
@@ -76,7 +76,7 @@ std::uint64_t fnv1a(std::string_view text) {
   return hash;
 }
 
-/// A basic string of TOML: JSON's escapes are TOML's too, but for DEL.
+/// A basic string of TOML. JSON's escapes are valid in TOML, but TOML wants DEL escaped, too.
 std::string toml_string(const std::string& text) {
   std::string quoted = nlohmann::json(text).dump();
   for (std::size_t at = quoted.find('\x7f'); at != std::string::npos; at = quoted.find('\x7f', at)) quoted.replace(at, 1, "\\u007f");

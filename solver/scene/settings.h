@@ -13,7 +13,7 @@ namespace bake {
 
 enum class Quality { draft, standard, paper };
 constexpr auto choice_names(Quality) { return std::array{"draft", "standard", "paper"}; }
-/// Factor on dx: particle counts fall to about 1/64 and 1/8 of the paper's.
+/// The factor on dx. Draft and standard have about 1/64 and 1/8 of the particles of paper quality.
 constexpr double coarsening(Quality quality) { return quality == Quality::draft ? 4 : quality == Quality::standard ? 2 : 1; }
 
 enum class Precision { single_precision, double_precision };
@@ -53,7 +53,7 @@ struct GridSettings {
   }
 };
 
-/// What happens at one face of the domain. `open`: particles that pass are retired and booked.
+/// The rule at one face of the domain. `open`: particles that pass it are removed and booked as retired.
 enum class Face { sticky, slip, separating, open };
 constexpr auto choice_names(Face) { return std::array{"sticky", "slip", "separating", "open"}; }
 

@@ -33,7 +33,7 @@ bool any_of(const Things& things, Predicate predicate) {
   return std::any_of(things.begin(), things.end(), predicate);
 }
 
-// Each says why the effect, which is listed, can do nothing; "" if it can do something.
+// Each function returns why a listed effect can change nothing, or "" if it can.
 
 std::string idle_motion(const Scene& scene, const std::vector<const Material*>& materials) {
   const auto moves = [](const auto& thing) { return thing.motion.size() > 1; };
@@ -49,7 +49,7 @@ std::string idle_motion(const Scene& scene, const std::vector<const Material*>& 
 }
 
 std::string idle_heat(const Scene& scene, const std::vector<const Material*>& materials) {
-  if (scene.lists(Leavening::name)) return "";  // which needs it
+  if (scene.lists(Leavening::name)) return "";  // leavening needs plasticity
   const bool exchanged =
       is_ever_above_zero(scene.oven.heat_transfer_coefficient_W_per_m2K) ||
       any_of(scene.colliders, [](const Collider& c) { return c.temperature_C && c.heat_transfer_coefficient_W_per_m2K > 0; }) ||
@@ -78,7 +78,7 @@ std::string idle_leavening(const Scene& scene, const std::vector<const Material*
   return has_any ? "" : "leavener is zero in every body: no gas is made, only the air of the pores pushes";
 }
 
-// Each names a coefficient of the effect, which is not listed, that a material has; "" if it has none.
+// Each function returns a coefficient of an unlisted effect that a material has, or "" if it has none.
 
 const char* coefficient_of_heat(const Material& m) {
   const auto& heat = of<Heat>(m);
@@ -104,7 +104,7 @@ const char* coefficient_of_leavening(const Material& m) {
   return of<Leavening>(m).production_mol_per_kgs > 0 ? "production_mol_per_kgs" : "";
 }
 
-/// How the warnings about one effect are found. To add an effect, add a line; a function that is not there finds nothing.
+/// The functions that find the warnings about one effect. To add an effect, add a line; a missing function finds nothing.
 struct Suspect {
   const char* effect;
   std::string (*idle)(const Scene&, const std::vector<const Material*>&) = nullptr;
