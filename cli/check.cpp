@@ -26,7 +26,7 @@ std::vector<fs::path> reference_files() {
   return files;
 }
 
-/// The reference metrics of an item, given by its name or by a file.
+/// The reference of an item's name, or in a file of one's own.
 Reference find_reference(const std::string& item) {
   if (fs::path(item).extension() == ".json") return read_reference(item);
   std::vector<std::string> names;
@@ -37,7 +37,7 @@ Reference find_reference(const std::string& item) {
   throw InputError(fmt::format("unknown item '{}'; {}", item, suggestion(item, names)));
 }
 
-/// The reference metrics for the scene and quality of a run.
+/// The reference of the scene and quality that a run was made of.
 Reference reference_of(const Results& results, const fs::path& folder) {
   const fs::path scene = results.description().value("/scene/file"_json_pointer, std::string());
   const std::string quality = results.description().value("/scene/quality"_json_pointer, std::string());
@@ -45,11 +45,11 @@ Reference reference_of(const Results& results, const fs::path& folder) {
     Reference reference = read_reference(file);
     if (fs::path(reference.scene).stem() == scene.stem() && word_of(reference.quality) == quality) return reference;
   }
-  throw InputError(fmt::format("{}: found a run of {} at {}, which has no reference metrics, allowed: those of reference/metrics",
+  throw InputError(fmt::format("{}: found a run of {} at {}, of which there is no reference, allowed: those of reference/metrics",
                                folder.string(), scene.string(), quality));
 }
 
-/// The results of the reference's scene; runs only what is missing.
+/// The results of the reference's scene, of which only what is missing is run.
 Results results_of(const Reference& reference, const fs::path& folder, bool quiet) {
   const Scene scene = open_scene(reference.scene, {reference.quality, {}}, quiet);
   RunOptions options;
@@ -90,8 +90,7 @@ int bless(const CheckArguments& arguments) {
   for (Verdict& v : check(reference, results_of(reference, arguments.out, arguments.quiet))) {
     if (v.expectation.kind != Evidence::regression) {
       if (!v.holds())
-        fmt::print("  {:<20} {:.6g} misses {}: it is evidence, which bless never changes\n", v.expectation.name, v.measured,
-                   v.expectation.words());
+        fmt::print("  {:<20} {:.6g} misses {}: evidence, never blessed\n", v.expectation.name, v.measured, v.expectation.words());
       continue;
     }
     const auto at = std::find_if(reference.metrics.begin(), reference.metrics.end(),
@@ -101,7 +100,7 @@ int bless(const CheckArguments& arguments) {
   }
   reference.blessed = {{"why", arguments.why}, {"commit", commit}};
   write_reference(reference);
-  fmt::print("{} is written; please commit it\n", reference.file.string());
+  fmt::print("{} is written; commit it\n", reference.file.string());
   return k_success;
 }
 
