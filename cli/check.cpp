@@ -12,7 +12,6 @@
 #include "solver/run/kept_run.h"
 #include "solver/scene/describe.h"
 #include "solver/scene/nearest.h"
-#include "solver/scene/reader.h"
 
 namespace bake::cli {
 namespace {
@@ -52,7 +51,7 @@ Reference reference_of(const Results& results, const fs::path& folder) {
 
 /// The results of the reference's scene, of which only what is missing is run.
 Results results_of(const Reference& reference, const fs::path& folder, bool quiet) {
-  const Scene scene = read_scene(find_scene(reference.scene), {reference.quality, {}});
+  const Scene scene = open_scene(reference.scene, {reference.quality, {}}, quiet);
   RunOptions options;
   options.out = folder.empty() ? default_results(scene) : folder;
   options.quiet = quiet;

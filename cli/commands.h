@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The commands of the `bake` program. Each adds itself to the command line and, if it is the one that was asked for,
-// leaves in `action` what is to be done; the action returns the exit code.
+// The commands of the `bake` program. Each function adds commands to the command line. The command that the user requests sets `action`,
+// which does the work and returns the exit code.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -27,7 +27,7 @@ void add_help_commands(CLI::App& app, Action& action);    ///< explain, version
 /// "bake 0.1.0" and the commit it was built from.
 std::string version_line();
 
-/// Where the results of a scene go unless told otherwise: results/<scene>-<quality>.
+/// The default folder of a scene's results: results/<scene>-<quality>.
 std::filesystem::path default_results(const Scene& scene);
 
 }  // namespace bake::cli

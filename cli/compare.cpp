@@ -34,8 +34,10 @@ void add_compare_command(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<CompareFiles>();
   CLI::App& command = *app.add_subcommand("compare", "Compare benchmarks of machines, compilers or versions (see ./bake bench)");
   command.footer(
-      "A ratio is told from noise by Mann's and Whitney's test over the repetitions, at 5 %. \"per triad\" and \"per FMA\" are ratios over "
-      "those of the machines' measured limits, for the benchmark's threads and precision: near 1, the machine makes the difference.");
+      "The test of Mann and Whitney over the repetitions, at 5 %, decides whether a ratio differs from noise. \"per triad\" and \"per "
+      "FMA\" are "
+      "the ratios divided by those of the machines' measured limits, for the benchmark's threads and precision: near 1, the machines alone "
+      "make the difference.");
   command.add_option("files", arguments->files, "JSON files of ./bake bench; the first is what the others are compared with")
       ->required()
       ->expected(2, 1000)

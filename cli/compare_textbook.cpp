@@ -7,7 +7,6 @@
 #include "cli/commands.h"
 #include "reference/compare/side_by_side.h"
 #include "solver/program/scene_files.h"
-#include "solver/scene/reader.h"
 
 namespace bake::cli {
 namespace {
@@ -25,7 +24,7 @@ constexpr double k_largest_grid = 2e9;  // bytes
 Scene read(const CompareArguments& arguments) {
   ReadOptions options{arguments.quality, arguments.overrides};
   options.overrides.push_back("run.precision=double");
-  return read_scene(find_scene(arguments.scene), options);
+  return open_scene(arguments.scene, options);
 }
 
 void refuse_large_grid(const Scene& scene) {
@@ -52,7 +51,7 @@ int compare(const CompareArguments& arguments) {
     fmt::print("  {:<12} {:>18.2e} {:>12.4g} {:>10.1e}\n", d.field, d.largest, d.scale, d.relative());
   const bool agrees = worst(differences) <= k_largest_relative_difference;
   fmt::print("  they {} {:.0e}{}\n", agrees ? "agree to" : "differ by more than", k_largest_relative_difference,
-             agrees ? "" : " (what may part them: reference/textbook/README.md)");
+             agrees ? "" : " (reference/textbook/README.md names possible reasons)");
   return agrees ? k_success : k_failed_check;
 }
 

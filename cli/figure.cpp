@@ -58,7 +58,7 @@ void add_figure_commands(CLI::App& app, Action& action) {
   figure_command.add_option("--only-run", arguments->options.only_run, "simulate this run of the figure and nothing else")
       ->type_name("NAME");
   figure_command.add_flag("--no-pictures", arguments->no_pictures, "leave out what needs bake-render");
-  figure_command.add_option("--size", arguments->options.size, "of the pictures, instead of the view's")->type_name("WxH");
+  figure_command.add_option("--size", arguments->options.size, "size of the pictures, instead of the view's")->type_name("WxH");
   figure_command.add_option("--samples", arguments->options.samples, "paths of light per pixel, instead of the view's")
       ->type_name("N")
       ->check(CLI::Range(1, 1'000'000));

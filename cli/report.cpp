@@ -18,7 +18,7 @@ struct ReportArguments {
 };
 
 int write(const ReportArguments& arguments) {
-  const report::Report made = report::make_report(read_items(items_root(BAKE_SOURCE_DIR)), arguments.quality);
+  const report::ReportPage made = report::make_report(read_items(items_root(BAKE_SOURCE_DIR)), arguments.quality);
   write_text_atomically(arguments.out, made.page);
   fmt::print("{}: {} reproduced, {} not reproduced, {} not run, {} not there yet\n", arguments.out.string(), made.reproduced,
              made.not_reproduced, made.not_run, made.not_there_yet);

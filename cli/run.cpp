@@ -11,7 +11,6 @@
 #include "cli/commands.h"
 #include "solver/program/scene_files.h"
 #include "solver/scene/describe.h"
-#include "solver/scene/reader.h"
 
 namespace bake::cli {
 namespace {
@@ -25,12 +24,12 @@ struct RunArguments {
   RunOptions options;
 };
 
-/// The scene with --end and --precision as what they are: shorter names of two overrides. They win over --set.
+/// Reads the scene. The options --end and --precision are short forms of two overrides; they win over --set.
 Scene read(const RunArguments& arguments) {
   ReadOptions options{arguments.quality, arguments.overrides};
   if (arguments.end_s) options.overrides.push_back(fmt::format("run.end_s={}", *arguments.end_s));
   if (!arguments.precision.empty()) options.overrides.push_back("run.precision=" + arguments.precision);
-  return read_scene(find_scene(arguments.scene), options);
+  return open_scene(arguments.scene, options, arguments.options.quiet);
 }
 
 int run(const RunArguments& arguments) {

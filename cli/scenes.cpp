@@ -11,7 +11,6 @@
 #include "experiments/make/make_figure.h"
 #include "solver/program/scene_files.h"
 #include "solver/run/run.h"
-#include "solver/scene/reader.h"
 
 namespace bake::cli {
 namespace {
@@ -42,14 +41,15 @@ int list_scenes() {
   return k_success;
 }
 
-/// Number, name, status and what it shows of every item of the paper.
+/// Prints number, name, status and subject of every item of the paper.
 int list_figures() {
   for (const Item& item : read_items(items_root(BAKE_SOURCE_DIR)).items)
     fmt::print("{:<10} {:<17} {:<14} {}\n", item.number, item.name, word_of(item.status), item.shows);
   return k_success;
 }
 
-/// One line `<item> <run>` for every run of every item that is done, `<item>` alone if it has none: for programs that hand runs out.
+/// Prints one line `<item> <run>` for every run of every finished item, or `<item>` alone if it has no run: for programs that distribute
+/// runs.
 int list_runs() {
   const Items items = read_items(items_root(BAKE_SOURCE_DIR));
   for (const Item& item : items.items) {
@@ -61,14 +61,14 @@ int list_runs() {
   return k_success;
 }
 
-/// Those of bake study accuracy, one a line: for programs that hand them out.
+/// Prints the cases of `bake study accuracy`, one per line: for programs that distribute them.
 int list_cases() {
   for (const auto& c : studies::accuracy::all_cases()) fmt::print("{}\n", c.name);
   return k_success;
 }
 
 int info(const SceneArguments& arguments) {
-  const Scene scene = read_scene(find_scene(arguments.scene), {arguments.quality, {}});
+  const Scene scene = open_scene(arguments.scene, {arguments.quality, {}});
   fmt::print("{}\n", describe_scene(scene));
   for (const std::string& line : studies::accuracy::expected_of(scene, BAKE_SOURCE_DIR "/paper/accuracy.json"))
     fmt::print("  measured     {}\n", line);
@@ -76,7 +76,7 @@ int info(const SceneArguments& arguments) {
 }
 
 int validate(const SceneArguments& arguments) {
-  const Scene scene = read_scene(find_scene(arguments.scene));
+  const Scene scene = open_scene(arguments.scene);
   fmt::print("{}: valid\n", scene.file.string());
   return k_success;
 }

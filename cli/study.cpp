@@ -15,7 +15,7 @@ namespace bake::cli {
 
 namespace {
 
-/// An option that only some studies have.
+/// Refuses an option that only some studies have.
 void refuse_elsewhere(const std::string& study, const char* option, bool given, const std::vector<std::string>& where) {
   if (given && std::find(where.begin(), where.end(), study) == where.end())
     throw InputError(fmt::format("{}: found with the study \"{}\", allowed: with {}", option, study, fmt::join(where, ", ")));
@@ -32,12 +32,12 @@ void add_study_command(CLI::App& app, Action& action) {
   }
   auto name = std::make_shared<std::string>();
   auto options = std::make_shared<studies::StudyOptions>();
-  CLI::App& command = *app.add_subcommand("study", "Measure what the solver is held to and write it down");
+  CLI::App& command = *app.add_subcommand("study", "Measure how well the solver does, and write tables of it");
   command.footer(fmt::format("Studies:\n{}", fmt::join(lines, "\n")));
-  command.add_option("study", *name, "which one")->required()->check(CLI::IsMember(names));
+  command.add_option("study", *name, "which study")->required()->check(CLI::IsMember(names));
   command.add_option("--out", options->out, "folder of the tables [results/studies/<study>]")->type_name("DIR");
   auto* quick = command.add_flag("--quick", options->quick, "the coarse resolutions only");
-  command.add_flag("--full", options->full, "accuracy: with what takes a night; a study that was stopped goes on")->excludes(quick);
+  command.add_flag("--full", options->full, "accuracy: also what takes a night; a study that was stopped continues")->excludes(quick);
   command.add_option("--case", options->cases, "convergence, accuracy: measure this case only and keep the others; may be repeated")
       ->allow_extra_args(false)
       ->type_name("NAME");

@@ -7,7 +7,7 @@
 
 namespace bake {
 
-/// Sets of whole numbers that can be united. The smallest member stands for its set.
+/// Disjoint sets of whole numbers that can be united. The smallest member represents its set.
 class UnionFind {
  public:
   explicit UnionFind(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }

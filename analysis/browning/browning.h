@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How brown each particle has become: from its history of temperature and water over the frames of a run.
+// Computes how brown each particle has become, from its history of temperature and water over the frames of a run.
 //
 // A crust browns by reactions that need heat and dryness (Maillard, then caramel). As first-order kinetics of lightness [after Purlis
 // and Salvadori 2009, doi:10.1016/j.foodres.2009.03.007, who fit such a law to bread], with a rate that grows tenfold every so many
@@ -7,8 +7,9 @@
 //
 //     dB/dt = 1/t_ref 10^((theta - theta_ref) / theta_10) min(1, w / w_ref),    degree = 1 - exp(-B)
 //
-// with w the share of the particle's water that has left since the first frame (without water in the run: that factor is 1).
-// The solver knows nothing of it. It is a look, not a claim: scenes compress time and oven, so t_ref and theta_ref are chosen by view.
+// where w is the share of its water that the particle has lost since the first frame (the factor is 1 if the run has no water).
+// The solver does not compute this. It serves the look of pictures and is no claim: scenes compress time and oven, so each view chooses
+// t_ref and theta_ref.
 #pragma once
 
 #include <array>
@@ -46,20 +47,20 @@ double browning_rate(const BrowningLaw& law, double temperature_C, double drynes
 /// Degree of browning from 0 (raw) to below 1 for B of at least 0.
 double browning_degree(double integral);
 
-/// Follows the particles of a run from its first frame on.
+/// Integrates the browning of the particles of a run from its first frame on.
 class BrowningHistory {
  public:
   /// Throws InputError if the folder holds no frames.
   BrowningHistory(std::filesystem::path results, const BrowningLaw& law);
 
-  /// Takes in the frames up to `frame`, by the trapezium rule over every frame or, if there are more than k_most_samples, over so many
-  /// of them. Must not go back. Throws InputError: the run has not come that far, frames without temperature.
+  /// Integrates up to `frame` by the trapezium rule over every frame or, if there are more than k_most_samples, over that many of them.
+  /// `frame` must not decrease from call to call. Throws InputError if the run has not come that far or its frames have no temperature.
   void advance_to(int frame);
-  int last_frame() const { return last_frame_; }  ///< that the run has written
+  int last_frame() const { return last_frame_; }  ///< the last frame that the run has written
 
-  /// Degree of browning of each particle. Particles that came with the last frame, and unknown ones, are raw.
+  /// The degree of browning of each particle. Particles that appear first in the last frame, and unknown ones, are raw.
   std::vector<double> degrees(std::span<const std::int64_t> ids) const;
-  /// Where each particle was when it was first seen, x, y, z [m].
+  /// The position of each particle when it first appeared, x, y, z [m].
   std::vector<double> first_positions(std::span<const std::int64_t> ids) const;
 
   static constexpr int k_most_samples = 96;

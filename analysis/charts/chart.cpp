@@ -141,19 +141,19 @@ std::vector<Column> csv_columns(const Chart& chart) {
 std::string shell_word(const std::string& text) {
   std::string result = "'";
   for (const char c : text) {
-    if (c == '\'') result += "'\\'";  // closes, an escaped quote, opens again
+    if (c == '\'') result += "'\\'";  // ends the quotation, adds an escaped quote, begins again
     result += c;
   }
   return result + "'";
 }
 
-/// What gnuplot had to say, in one line: it shows the place, a caret below it, then "chart.gp" line 7: message.
+/// Gnuplot's message in one line. Gnuplot prints the place, a caret below it, then "chart.gp" line 7: message.
 std::string gist(const std::string& said) {
   const std::size_t place = said.find("line ");
   std::string words = said.substr(place == std::string::npos ? 0 : place);
   std::replace(words.begin(), words.end(), '\n', ' ');
   words.erase(words.find_last_not_of(' ') + 1);
-  return words.empty() ? "it said nothing" : words;
+  return words.empty() ? "no message" : words;
 }
 
 void run_gnuplot(const ScratchFolder& scratch, const Chart& chart) {
@@ -168,7 +168,7 @@ void run_gnuplot(const ScratchFolder& scratch, const Chart& chart) {
   std::array<char, 512> part;
   while (const std::size_t got = std::fread(part.data(), 1, part.size(), pipe)) said.append(part.data(), got);
   const int status = ::pclose(pipe);
-  constexpr int k_not_found = 127;  // the shell's word for a command that is not there
+  constexpr int k_not_found = 127;  // the shell's exit code for a missing command
   if (WIFEXITED(status) && WEXITSTATUS(status) == k_not_found)
     throw InputError("gnuplot is missing: apt-get install gnuplot-nox fonts-liberation");
   if (status != 0 || !fs::exists(scratch / "chart.svg") || !fs::exists(scratch / "chart.pdf"))
@@ -186,7 +186,7 @@ std::string xml_escaped(std::string text) {
   return text;
 }
 
-/// Gnuplot's SVG with the chart's title for screen readers, other fonts where ours is missing, and a dark form for dark pages.
+/// Adds to gnuplot's SVG the title for screen readers, fonts for machines without ours, and colours for dark pages.
 std::string finished_svg(std::string svg, const Chart& chart) {
   constexpr std::string_view k_dark =
       "<style>@media (prefers-color-scheme: dark) { rect[fill=\"#ffffff\"] { fill: #16191d } [color=\"black\"] { color: #e8e8e8 } "

@@ -24,26 +24,26 @@ struct Axis {
   std::string label;                                    ///< "yield stress $τ_y$"
   std::string unit = {};                                ///< "Pa"; stands in brackets behind the label; "" for numbers without one
   Scale scale = Scale::linear;                          ///< logarithmic: every value is above zero
-  std::optional<std::pair<double, double>> range = {};  ///< that of the data unless given
-  std::vector<Tick> tics = {};                          ///< instead of round numbers
+  std::optional<std::pair<double, double>> range = {};  ///< default: the range of the data
+  std::vector<Tick> tics = {};                          ///< the tics; empty: at round numbers
 };
 
 enum class Kind { line, points, line_and_points, error_bars, band, arrows };
 enum class Dash { solid, dashed, dotted };
 enum class Marker { disc, circle, square, triangle, diamond, cross };
 
-/// Numbers of one name and one look. NaN makes a gap.
+/// A series of numbers with one name and one style. NaN makes a gap.
 struct Series {
   std::string name;  ///< in the legend and in the CSV
   Kind kind = Kind::line;
   std::vector<double> x = {}, y = {};
   std::vector<double> low = {}, high = {};     ///< error_bars: ends of the bars about y; band: filled between the two (y stays empty)
   std::vector<double> x_end = {}, y_end = {};  ///< arrows: from (x, y) to here
-  std::string colour = {};                     ///< "#rrggbb"; the next of the house's palette unless given
+  std::string colour = {};                     ///< "#rrggbb"; default: the next colour of the palette
   Dash dash = Dash::solid;
   Marker marker = Marker::disc;
   double width = 1.5;     ///< of lines [pt]
-  bool in_legend = true;  ///< false: named elsewhere, for instance by a Mark
+  bool in_legend = true;  ///< false: it is named elsewhere, for instance by a Mark
 };
 
 /// Cells between x_edges and y_edges, coloured by value[row * columns + column]; rows go along y. NaN leaves a cell empty.
@@ -53,19 +53,19 @@ struct HeatMap {
   Axis colour = {};  ///< of the colour bar
 };
 
-/// Which side of its place a text stands on; free: wherever it is read best beside what else is drawn.
+/// On which side of its point a text stands; free: where it covers least of what else is drawn.
 enum class Side { right, left, above, below, centre, free };
 
-/// A text at a place of the panel, with or without a point there.
+/// A text at a position in the panel, with or without a point there.
 struct Mark {
   double x = 0, y = 0;
   std::string text = {};
   Side side = Side::right;
   bool point = true;
-  std::string colour = {};  ///< of point and text; black on a light page unless given
+  std::string colour = {};  ///< of point and text; default: black on a light page
 };
 
-/// A thin dashed line right across the panel, at x = at (upright) or y = at, its text at the far end.
+/// A thin dashed line across the whole panel, at x = at (upright) or y = at, with its text at the far end.
 struct Rule {
   bool upright = true;
   double at = 0;
@@ -93,17 +93,17 @@ struct Chart {
   double panel_width_in = 3.3, panel_height_in = 2.6;
 };
 
-/// The house's palette for things that differ in kind: six colours that the colour-blind tell apart (Okabe and Ito), on light and dark.
+/// The palette for categories: six colours that colour-blind readers can tell apart (Okabe and Ito), on light and dark pages.
 std::string palette(std::size_t index);
-/// Colours for things that differ in degree: from blue (0) to yellow-green (1) of viridis, ends cut so that all show.
+/// Colours for an ordered quantity: from the blue (0) to the yellow-green (1) of viridis. The ends are cut off so that all are visible.
 std::string ramp(double share);
 
-/// Every number that is drawn: a group of columns per series, heat map, marks and rules, with labels and units in the headings.
+/// All numbers of the chart as CSV: a group of columns for each series, heat map, marks and rules, with labels and units in the headings.
 std::string csv_of(const Chart& chart);
 
-/// Writes <folder>/<name>.csv, .svg and .pdf, all or none; the folder is made if need be. Throws InputError if gnuplot is missing (what to
-/// install), OutputError with gnuplot's own words if it fails or a file cannot be written, std::invalid_argument if the chart is not
-/// well-formed (columns of unequal length, nothing to draw, a number that a logarithmic axis cannot show).
+/// Writes <folder>/<name>.csv, .svg and .pdf, all or none, and creates the folder if it is missing. Throws InputError if gnuplot is missing
+/// (it tells what to install), OutputError with gnuplot's message if gnuplot fails or a file cannot be written, and std::invalid_argument
+/// if the chart is not well-formed (columns of unequal length, nothing to draw, a number that a logarithmic axis cannot show).
 void write_chart(const Chart& chart, const std::filesystem::path& folder);
 
 }  // namespace bake::charts

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The house style is here: sizes, lines, colours, tics.
+// This file decides the style of all charts: sizes, lines, colours, tics.
 #include "analysis/charts/gnuplot.h"
 
 #include <fmt/format.h>
@@ -73,7 +73,7 @@ constexpr const char* label_place(Side side) {
     case Side::below:
       return "center offset character 0,-0.8";
     case Side::centre:
-    case Side::free:  // has become one of the others
+    case Side::free:  // has been replaced by one of the others
       return "center";
   }
   return "";
@@ -83,7 +83,7 @@ std::string colour_words(const std::string& colour) { return colour.empty() ? "b
 
 Extent shown(const Axis& axis, const Extent& data) { return axis.range ? Extent{axis.range->first, axis.range->second} : data; }
 
-/// A round step that divides the axis into four to eight: gnuplot's own is finer than labels have room for.
+/// A round step that divides the axis into four to eight parts: gnuplot's own steps are too fine for the labels.
 double step_of(const Extent& extent) {
   const double length = extent.high > extent.low ? extent.high - extent.low : 1;
   const double ten = std::pow(10, std::floor(std::log10(length / 4)));
@@ -131,7 +131,7 @@ class Script {
     add("set terminal svg enhanced size {:.0f},{:.0f} font '{},{}' background '#ffffff' linewidth {} dashlength 0.6\n", width * k_px_per_in,
         height * k_px_per_in, k_font, k_font_pt * k_px_per_pt, k_px_per_pt * 0.75);
     add("set output 'chart.svg'\n");
-    key_spacing_ = 0.8;  // this terminal takes letters for taller than they are
+    key_spacing_ = 0.8;  // this terminal overestimates the height of letters
     add_panels(rows, columns);
     return std::move(text_);
   }
@@ -189,7 +189,7 @@ class Script {
     if (axis.range) add("set {}range [{}:{}]\n", name, axis.range->first, axis.range->second);
   }
 
-  /// With sizes, in points, that are about right: gnuplot alone knows what its axes, tics and legend take.
+  /// Uses estimated sizes in points, because only gnuplot knows the room that axes, tics and legend take.
   std::vector<Side> sides_of(const Panel& panel, const Extent& across, const Extent& up) const {
     constexpr double k_pt_per_in = 72, k_axis = 45, k_legend_below = 25, k_title = 20, k_sample = 35, k_letter = 0.5 * k_font_pt;
     double width = k_pt_per_in * chart_.panel_width_in - k_axis, height = k_pt_per_in * chart_.panel_height_in - k_axis;
@@ -296,7 +296,7 @@ std::string palette(std::size_t index) {
 }
 
 std::string ramp(double share) {
-  constexpr double k_first = 1.7, k_last = 7.2;  // both ends would vanish, on a dark page or on a light one
+  constexpr double k_first = 1.7, k_last = 7.2;  // the ends would be invisible on a dark or on a light page
   const double place = k_first + std::clamp(share, 0., 1.) * (k_last - k_first);
   const auto stop = static_cast<std::size_t>(place);
   const double into = place - static_cast<double>(stop);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A chart in the words of gnuplot.
+// Writes a chart as a gnuplot script.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace bake::charts {
 
-/// A script that draws the chart twice: into chart.svg and chart.pdf of the folder in which gnuplot is started.
+/// A script that draws the chart twice, as chart.svg and chart.pdf in the folder in which gnuplot runs.
 std::string gnuplot_script(const Chart& chart);
 
 }  // namespace bake::charts

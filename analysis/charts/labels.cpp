@@ -6,7 +6,7 @@
 namespace bake::charts {
 namespace {
 
-struct Place {
+struct Spot {
   double x, y;
 };
 
@@ -21,7 +21,7 @@ double common_area(const Box& a, const Box& b) {
 
 double area(const Box& box) { return (box.right - box.left) * (box.top - box.bottom); }
 
-Box around(const Place& p, double half) { return {p.x - half, p.x + half, p.y - half, p.y + half}; }
+Box around(const Spot& p, double half) { return {p.x - half, p.x + half, p.y - half, p.y + half}; }
 
 /// From 0 at the low end of an axis to `length` at its high end.
 double along(const Axis& axis, const Extent& extent, double length, double value) {
@@ -40,7 +40,7 @@ class Sheet {
   }
 
   Side choose(const Mark& mark) {
-    constexpr double k_nothing = 1e-6;  // rounding decides nothing
+    constexpr double k_nothing = 1e-6;  // rounding errors must not decide
     Side best = Side::right;
     double least = std::numeric_limits<double>::infinity();
     for (const Side side : {Side::right, Side::left, Side::above, Side::below}) {
@@ -54,18 +54,18 @@ class Sheet {
   }
 
  private:
-  Place place(double x, double y) const { return {along(panel_.x, across_, width_, x), along(panel_.y, up_, height_, y)}; }
+  Spot spot(double x, double y) const { return {along(panel_.x, across_, width_, x), along(panel_.y, up_, height_, y)}; }
 
-  /// Its points, and small boxes all along its lines.
+  /// Covers the points of a series, and small boxes all along its lines.
   void cover(const Series& series) {
     const bool lines = series.kind == Kind::line || series.kind == Kind::line_and_points || series.kind == Kind::error_bars;
     const double point = 0.3 * letters_, dot = 0.1 * letters_;
     for (std::size_t i = 0; i < series.y.size(); ++i) {
-      const Place here = place(series.x[i], series.y[i]);
+      const Spot here = spot(series.x[i], series.y[i]);
       if (std::isnan(here.x) || std::isnan(here.y)) continue;
       if (series.kind != Kind::line) covered_.push_back(around(here, point));
       if (!lines || i == 0) continue;
-      const Place before = place(series.x[i - 1], series.y[i - 1]);
+      const Spot before = spot(series.x[i - 1], series.y[i - 1]);
       if (std::isnan(before.x) || std::isnan(before.y)) continue;
       const int dots = 1 + static_cast<int>(std::hypot(here.x - before.x, here.y - before.y) / (4 * dot));
       for (int k = 0; k <= dots; ++k) {
@@ -77,7 +77,7 @@ class Sheet {
 
   Box text_box(const Mark& mark, Side side) const {
     constexpr double k_letter_width = 0.55, k_line_height = 1.1;  // over the letters' height
-    const Place at = place(mark.x, mark.y);
+    const Spot at = spot(mark.x, mark.y);
     const double width = k_letter_width * letters_ * static_cast<double>(plain_text(mark.text).size()), half = 0.5 * width;
     const double height = k_line_height * letters_, aside = 0.5 * letters_, off = 0.4 * letters_;
     switch (side) {

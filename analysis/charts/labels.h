@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the texts of marks stand so that they can be read.
+// Places the texts of marks so that they can be read.
 #pragma once
 
 #include <algorithm>
@@ -20,9 +20,9 @@ struct Extent {
   }
 };
 
-/// The side of each mark of a panel: its own, or for Side::free that of right, left, above and below which covers least of what is drawn
-/// and of other texts, as far as the size of the letters is known. `across`, `up`: extents of the axes; width and height of what is
-/// between them, and the letters' height, in one unit.
+/// The side of each mark of a panel. A mark with Side::free gets the side of right, left, above and below on which its text covers least of
+/// what is drawn and of other texts; the size of letters is estimated. `across`, `up`: extents of the axes; `width` and `height` of the
+/// area between them and the height of `letters` are in one unit.
 std::vector<Side> label_sides(const Panel& panel, const Extent& across, const Extent& up, double width, double height, double letters);
 
 }  // namespace bake::charts

@@ -25,13 +25,13 @@ std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
     if (std::string_view("^_{}@&~\\").find(c) != std::string_view::npos) result += '\\';
-    if (c == '\'') result += '\'';  // gnuplot's way to have one within single quotes
+    if (c == '\'') result += '\'';  // gnuplot's escape within single quotes
     result += c == '\n' ? ' ' : c;
   }
   return result;
 }
 
-/// The character or {group} at the beginning of `text`, which loses it.
+/// Removes the character or {group} at the beginning of `text` and returns it.
 std::string_view take_group(std::string_view& text) {
   const bool braces = !text.empty() && text[0] == '{';
   std::size_t size = 0;

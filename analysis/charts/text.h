@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texts of a chart (see chart.h for their markup) in the words of gnuplot and of plain text.
+// Translates texts of a chart (chart.h describes their markup) for gnuplot and into plain text.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace bake::charts {
 
-/// A quoted string for gnuplot's enhanced mode: what is special there is escaped, mathematics becomes italics, lower and raised text.
+/// A quoted string for gnuplot's enhanced mode: special characters are escaped; mathematics becomes italic, lowered and raised text.
 std::string gnuplot_text(std::string_view text);
-/// The same as plain text: dollar signs and groups' braces are dropped.
+/// The text as plain text, without dollar signs and the braces of groups.
 std::string plain_text(std::string_view text);
-/// A cell of a CSV file: quoted if need be (RFC 4180).
+/// A cell of a CSV file: quoted if necessary (RFC 4180).
 std::string csv_cell(const std::string& text);
 
 }  // namespace bake::charts

@@ -12,25 +12,24 @@
 namespace bake::cli {
 namespace {
 
-/// What git says of the sources, nothing if it says nothing. Throws InputError without git.
+/// The output of a git command in the sources. Throws InputError if git fails.
 std::string git(const std::string& arguments) {
   const std::string command = fmt::format("git -C '{}' {} 2>/dev/null", BAKE_SOURCE_DIR, arguments);
   FILE* pipe = popen(command.c_str(), "r");
   std::string text;
   std::array<char, 256> part;
   while (pipe && fgets(part.data(), part.size(), pipe)) text += part.data();
-  if (!pipe || pclose(pipe) != 0) throw InputError("bless: git cannot say what the sources are, allowed: a clone with git");
+  if (!pipe || pclose(pipe) != 0) throw InputError("bless: git cannot tell the commit of the sources, allowed: a clone with git");
   return text;
 }
 
 }  // namespace
 
 std::string commit_to_bless(const std::string& why) {
-  if (std::getenv("CI")) throw InputError("bless: found CI in the environment, allowed: people only, who give a reason");
-  if (why.find_first_not_of(" \t") == std::string::npos)
-    throw InputError("--why: found nothing, allowed: the reason, for those who come after");
+  if (std::getenv("CI")) throw InputError("bless: found CI in the environment, allowed: use by a person, not by continuous integration");
+  if (why.find_first_not_of(" \t") == std::string::npos) throw InputError("--why: found nothing, allowed: the reason for the new numbers");
   if (const std::string changes = git("status --porcelain"); !changes.empty())
-    throw InputError("bless: found uncommitted changes, allowed: a clean tree, so that the new numbers have a commit they come from");
+    throw InputError("bless: found uncommitted changes, allowed: a clean tree, so that the new numbers belong to a commit");
   return git("rev-parse HEAD").substr(0, 40);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stored numbers change by people's will only, with a reason and a commit they come from.
+// Guards changes of stored numbers: only a person may change them, with a reason and from a commit.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 namespace bake::cli {
 
 /// The commit of the sources, 40 hexadecimal digits. Throws InputError in continuous integration (CI in the environment), without a
-/// reason, without git, and if the sources have uncommitted changes.
+/// reason, without git, or if the sources have uncommitted changes.
 std::string commit_to_bless(const std::string& why);
 
 }  // namespace bake::cli

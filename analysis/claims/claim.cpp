@@ -17,7 +17,7 @@ bool contains(const std::vector<std::string>& list, std::string_view word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-/// What the metric needs is there, and no key that it does not know.
+/// Checks that the claim has the keys that the metric needs, and no key that it does not know.
 void check_place(const SceneEntry& entry, const Metric& metric) {
   for (const std::string& key : keys_of<MetricPlace>()) {
     const bool needed = contains(metric.needs, key), known = needed || contains(metric.knows, key);
@@ -63,7 +63,7 @@ ClaimVerdict verdict(const Claim& claim, const MetricWords& words, const std::st
   return {claim.metric, words.meaning, of, words.unit, "", claim.why, claim.kind, measured, false};
 }
 
-/// Against a number, or against another run.
+/// Judges one measured number against a number or another run.
 ClaimVerdict judge_one(const Claim& claim, const MetricWords& words, const std::string& of, const Measure& measure) {
   ClaimVerdict v = verdict(claim, words, of, measure(claim, of));
   if (claim.greater_than.empty()) {
@@ -78,17 +78,17 @@ ClaimVerdict judge_one(const Claim& claim, const MetricWords& words, const std::
   return v;
 }
 
-/// Each against the one before it.
+/// Judges each measured number against the one before it.
 std::vector<ClaimVerdict> judge_order(const Claim& claim, const MetricWords& words, const Measure& measure) {
   std::vector<ClaimVerdict> verdicts;
   for (const std::string& of : claim.of) {
     ClaimVerdict v = verdict(claim, words, of, measure(claim, of));
-    const char* sign = *claim.order == Order::rising ? ">" : "<";
+    const char* sign = *claim.order == Trend::rising ? ">" : "<";
     v.condition = verdicts.empty() ? "first of the list" : fmt::format("{} {}", sign, verdicts.back().of);
     v.holds = std::isfinite(v.measured);
     if (!verdicts.empty()) {
       const double before = verdicts.back().measured;
-      v.holds = *claim.order == Order::rising ? v.measured > before : v.measured < before;
+      v.holds = *claim.order == Trend::rising ? v.measured > before : v.measured < before;
     }
     verdicts.push_back(v);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Claims: what is measured of an item's runs must fulfil a condition; each says what kind of evidence it is, and why.
+// Claims: a number that is measured of an item's runs must fulfil a condition. Each claim states its kind of evidence and its reason.
 //
 //     [[claim]]
 //     metric = "distance_gain"
@@ -19,9 +19,9 @@
 
 namespace bake {
 
-/// What a metric does along `of`, which is a list then.
-enum class Order { rising, falling };
-constexpr auto choice_names(Order) { return std::array{"rising", "falling"}; }
+/// How the numbers change along the list `of`.
+enum class Trend { rising, falling };
+constexpr auto choice_names(Trend) { return std::array{"rising", "falling"}; }
 
 struct Claim {
   std::string metric;
@@ -30,29 +30,30 @@ struct Claim {
   std::optional<double> expected, tolerance, at_least, at_most;
   std::string greater_than;
   double factor = 1;
-  std::optional<Order> order;
+  std::optional<Trend> order;
   Evidence kind{};
   std::string why;
   static constexpr auto parameters() {
     return std::tuple{
-        Parameter{"metric", &Claim::metric, "", any_number, "what is measured; a name that the item's function gives, without `of`",
+        Parameter{"metric", &Claim::metric, "", any_number, "what is measured; without `of`, a number that the item's function computes",
                   Presence::required},
         Parameter{"of", &Claim::of, "", any_number, "the run or surface that it is measured of, or a list: the condition holds for each"},
         Parameter{"expected", &Claim::expected, "", any_number, "the number that it must be"},
         Parameter{"tolerance", &Claim::tolerance, "", non_negative, "how far it may be from that"},
         Parameter{"at_least", &Claim::at_least, "", any_number, "lower bound"},
         Parameter{"at_most", &Claim::at_most, "", any_number, "upper bound"},
-        Parameter{"greater_than", &Claim::greater_than, "", any_number, "another run or surface: it is greater than the same of that"},
+        Parameter{"greater_than", &Claim::greater_than, "", any_number,
+                  "another run or surface: the number must be greater than the same metric of that one"},
         Parameter{"factor", &Claim::factor, "1", positive, "... times this"},
         Parameter{"order", &Claim::order, "", any_number, "along the list `of`"},
         Parameter{"kind", &Claim::kind, "", any_number, "what evidence it is", Presence::required},
-        Parameter{"why", &Claim::why, "", any_number, "of the condition and its numbers", Presence::required},
+        Parameter{"why", &Claim::why, "", any_number, "the reason for the condition and its numbers", Presence::required},
     };
   }
 };
 
-/// A table [[claim]], checked by itself: a known metric with what it needs and nothing else, and one condition.
-/// `computed` are the names that the item's own function gives. Throws InputError.
+/// Reads a table [[claim]] and checks it: a known metric with the keys that it needs and no others, and one condition.
+/// `computed`: the names of the numbers that the item's function computes. Throws InputError.
 Claim read_claim(const SceneEntry& entry, const std::vector<std::string>& computed);
 
 /// One line of the table of claims.
@@ -68,13 +69,13 @@ struct MetricWords {
   std::string unit, meaning;
 };
 
-/// Measures a metric of a run or surface of that name, or what the item's function gives if `of` is empty.
+/// Measures a metric of the run or surface with that name; if `of` is empty, returns the number that the item's function computes.
 using Measure = std::function<double(const Claim& claim, const std::string& of)>;
 
-/// One verdict per run; one for the whole list if the claim is an order.
+/// The verdicts of a claim, one per run.
 std::vector<ClaimVerdict> judge(const Claim& claim, const MetricWords& words, const Measure& measure);
 
-/// For people, like the table of `bake check`.
+/// The verdicts as a table for the terminal.
 std::string table(const std::vector<ClaimVerdict>& verdicts);
 
 }  // namespace bake

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `bake-mesh fracture` found, read back from its fracture.json.
+// Reads the cracks and pieces that `bake-mesh fracture` found from its fracture.json.
 #pragma once
 
 #include <filesystem>
@@ -16,9 +16,9 @@ struct Fracture {
   /// A connected set of broken edges.
   struct Crack {
     double area_m2 = 0, length_m = 0;
-    Vector3 centre_m{};  ///< where it is in the reference mesh
+    Vector3 centre_m{};  ///< its centre in the reference mesh
   };
-  /// A part of the body that hangs together, with its surface.
+  /// A connected part of the body, with its surface.
   struct Piece {
     double volume_m3 = 0;
     bool closed = false;  ///< its surface is a closed manifold
@@ -26,7 +26,7 @@ struct Fracture {
   struct Frame {
     double time_s = 0, crack_area_m2 = 0;
     double volume_m3 = 0;      ///< of all pieces
-    double cut_volume_m3 = 0;  ///< of all pieces, laid back into the reference mesh
+    double cut_volume_m3 = 0;  ///< volume of all pieces in the reference mesh
     std::vector<Crack> cracks;
     std::vector<Piece> pieces;
   };
@@ -39,7 +39,7 @@ struct Fracture {
   const Frame& at(std::optional<double> time_s) const;
 };
 
-/// Throws InputError: no such file, or not what bake-mesh writes.
+/// Throws InputError if the file is missing or bake-mesh did not write it.
 Fracture read_fracture(const std::filesystem::path& file);
 
 }  // namespace bake

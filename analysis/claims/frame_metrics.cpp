@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Metrics of frames: particles are followed by their identity, named by where they were at the start.
+// Metrics of frames. A claim names a particle by its position at the start; it is then followed by its identity.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ double temperature_of(const Results& run, int frame, std::int64_t particle) {
   return reader.column("temperature")[row_of(run, frame, reader, particle)];
 }
 
-/// Distance between two particles, over that at the start.
+/// The distance between two particles, divided by that at the start.
 double distance_gain(const Results& run, const MetricPlace& at) {
   const FrameReader start = run.frame(0);
   const auto a = particle_at(start, *at.from_m), b = particle_at(start, *at.to_m);
@@ -89,7 +89,7 @@ double heated_share(const Results& run, const MetricPlace& at) {
   return volume_share(frame, [&](std::size_t row) { return static_cast<double>(peak[row]) >= *at.temperature_C; });
 }
 
-/// How much of each particle's water is gone since the start, as a share.
+/// The share of its water that each particle has lost since the start.
 std::vector<double> dryness(const FrameReader& start, const FrameReader& now) {
   const auto before = start.column("water_mass"), after = now.column("water_mass");
   const auto ids = now.identities();
@@ -105,10 +105,11 @@ std::vector<double> dryness(const FrameReader& start, const FrameReader& now) {
   return dry;
 }
 
-/// Volume of what has dried, over the area that touches air: how deep that layer would be if it were as deep everywhere. What counts as
-/// dried goes from nothing at half the share to all at one and a half times of it, for two reasons: a layer of few particles would change
-/// in jumps with a sharp edge, and what is below half is not counted at all, so that round-off of a whole loaf's inside adds nothing.
-/// Temperature would not do in place of water: it comes through a loaf long before the crust is formed.
+/// The volume that has dried, divided by the area that touches air: the depth of the layer if it were equally deep everywhere. A particle
+/// that has lost half the given share of its water does not count, one that has lost one and a half times the share counts fully, and the
+/// weight is linear between. There are two reasons: with a sharp edge a layer of few particles would change in jumps, and with no lower end
+/// round-off inside a whole loaf would add up. Temperature cannot replace water here, because it passes through a loaf long before the
+/// crust has formed.
 double crust_thickness(const Results& run, const MetricPlace& at) {
   const int number = run.frame_at(at.time_s);
   const FrameReader now = run.frame(number);
@@ -121,7 +122,7 @@ double crust_thickness(const Results& run, const MetricPlace& at) {
   return area > 0 ? crust / area : std::nan("");
 }
 
-/// The middle of the particles at the start, seen from above.
+/// The horizontal centre of the particles at the start.
 std::array<double, 2> axis_of(const Results& run) {
   const auto positions = run.frame(0).positions();
   std::array<double, 2> sum{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Metrics of the ledger: what the run has booked.
+// Metrics of the ledger.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ double gain(const Results& run, std::string_view column) {
   return before > 0 ? run.last(column) / before : std::nan("");
 }
 
-/// What the books of momentum along `axis` do not explain, over the mass.
+/// The change of momentum along `axis` that the booked impulses do not explain, divided by the mass.
 double momentum_drift(const Results& run, char axis) {
   const std::string a(1, axis);
   const auto name = [&](const char* what) { return fmt::format("{}_{}_kg_m_per_s", what, a); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Metrics: named numbers that are measured of a run, or of the fracture surface that was made from one.
+// Metrics: named numbers that are measured of a run or of its fracture surface.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace bake {
 
-/// Where and when a metric is taken. Each metric says which of these it needs and which it knows; the others are refused.
+/// Where and when a metric is measured. Each metric lists the keys that it needs and those that it knows; others are refused.
 struct MetricPlace {
   std::optional<Vector3> from_m, to_m;
   std::optional<Vector3> point_m;
@@ -24,20 +24,22 @@ struct MetricPlace {
   std::optional<double> time_s;
   static constexpr auto parameters() {
     return std::tuple{
-        Parameter{"from_m", &MetricPlace::from_m, "m", any_number, "where the one particle is at the start"},
-        Parameter{"to_m", &MetricPlace::to_m, "m", any_number, "where the other particle is at the start"},
-        Parameter{"point_m", &MetricPlace::point_m, "m", any_number, "where the particle is at the start"},
-        Parameter{"low_m", &MetricPlace::low_m, "m", any_number, "lower corner of a box, in places of the start"},
-        Parameter{"high_m", &MetricPlace::high_m, "m", any_number, "upper corner of a box, in places of the start"},
-        Parameter{"radius_m", &MetricPlace::radius_m, "m", positive, "distance from the upright axis through the middle of the start"},
+        Parameter{"from_m", &MetricPlace::from_m, "m", any_number, "position of one particle at the start"},
+        Parameter{"to_m", &MetricPlace::to_m, "m", any_number, "position of the other particle at the start"},
+        Parameter{"point_m", &MetricPlace::point_m, "m", any_number, "position of the particle at the start"},
+        Parameter{"low_m", &MetricPlace::low_m, "m", any_number, "lower corner of a box of positions at the start"},
+        Parameter{"high_m", &MetricPlace::high_m, "m", any_number, "upper corner of a box of positions at the start"},
+        Parameter{"radius_m", &MetricPlace::radius_m, "m", positive,
+                  "distance from the upright axis through the centre of the particles at the start"},
         Parameter{"temperature_C", &MetricPlace::temperature_C, "C", above_absolute_zero, "temperature that is reached"},
-        Parameter{"dried_share", &MetricPlace::dried_share, "1", open_fraction, "share of its water that has left what is called dry"},
+        Parameter{"dried_share", &MetricPlace::dried_share, "1", open_fraction,
+                  "share of its water that a particle must have lost to count as dry"},
         Parameter{"time_s", &MetricPlace::time_s, "s", non_negative, "time of the frame; the last one unless given"},
     };
   }
 };
 
-/// A number that can be measured. One of the two functions is there: it says of what.
+/// A number that can be measured. Exactly one of the two functions exists; it takes a run or a surface.
 struct Metric {
   const char* name;
   const char* unit;
@@ -45,16 +47,16 @@ struct Metric {
   double (*of_run)(const Results&, const MetricPlace&) = nullptr;
   double (*of_surface)(const Fracture&, const MetricPlace&) = nullptr;
   std::vector<std::string> needs = {};  ///< keys of MetricPlace
-  std::vector<std::string> knows = {};  ///< further keys, that have a default
+  std::vector<std::string> knows = {};  ///< further keys, which have defaults
 };
 
-/// All metrics, one list after the other: of the ledger, of frames, of fracture surfaces.
+/// All metrics: of the ledger, of frames, of fracture surfaces.
 const std::vector<Metric>& all_metrics();
 std::vector<Metric> ledger_metrics();
 std::vector<Metric> frame_metrics();
 std::vector<Metric> surface_metrics();
 
-/// The metric of that name. Throws InputError, with the nearest known name.
+/// The metric `name`. Throws InputError with the nearest known name if there is none.
 const Metric& find_metric(std::string_view name);
 
 }  // namespace bake

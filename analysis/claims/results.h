@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A finished run, read back from its folder, and what is measured of it.
+// Reads the results of a finished run.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace bake {
 /// The results of a run that is done.
 class Results {
  public:
-  /// Throws InputError if the folder holds no run, or one that is not done.
+  /// Throws InputError if the folder holds no finished run.
   explicit Results(const std::filesystem::path& folder);
 
   const nlohmann::json& description() const { return description_; }  ///< run.json
@@ -29,7 +29,7 @@ class Results {
   const std::filesystem::path& folder() const { return folder_; }
   double first(std::string_view name) const { return column(name).front(); }
   double last(std::string_view name) const { return column(name).back(); }
-  /// Largest distance of the sum of columns from its first value, over all frames: what the books do not explain.
+  /// The largest distance of a sum of columns from its first value, over all frames: the change that the ledger does not explain.
   double drift(std::initializer_list<std::pair<const char*, double>> columns_and_signs) const;
 
  private:

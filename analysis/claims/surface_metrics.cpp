@@ -47,7 +47,7 @@ double cut_volume(const Fracture& fracture, const MetricPlace& at) {
   return fracture.at(at.time_s).cut_volume_m3 / fracture.mesh_volume_m3;
 }
 
-/// Shares of the two largest pieces in the volume of all, the larger one first.
+/// The shares of the two largest pieces in the volume of all pieces, the larger one first.
 std::array<double, 2> largest_shares(const Fracture& fracture, const MetricPlace& at) {
   const Fracture::Frame& frame = fracture.at(at.time_s);
   std::vector<double> volumes{0, 0};

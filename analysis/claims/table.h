@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of verdicts that people read.
+// The table of verdicts for the terminal.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct TableRow {
   std::string why;  ///< shown if it does not hold
 };
 
-/// Columns as wide as what stands in them.
+/// Makes each column as wide as its widest cell.
 std::string table(const std::vector<TableRow>& rows);
 
 }  // namespace bake

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The commands of the `bake-render` program. Each adds itself to the command line and, if it is the one that was asked for, leaves in
-// `action` what is to be done.
+// The commands of the `bake-render` program. Each function adds a command to the command line. The command that the user requests sets
+// `action`, which does the work.
 #pragma once
 
 #include <filesystem>
@@ -21,7 +21,7 @@ void add_montage_command(CLI::App& app, Action& action);
 void add_surface_command(CLI::App& app, Action& action);
 void add_explain_command(CLI::App& app, Action& action);
 
-/// Options that a picture and a movie share: size, samples, threads, runs, single values of the view.
+/// The options that pictures and movies share: size, samples, threads, folders of runs, single values of the view.
 struct PictureOptions {
   std::filesystem::path view;
   std::vector<std::filesystem::path> results;
@@ -31,13 +31,13 @@ struct PictureOptions {
   int threads = 0;
 
   void add_to(CLI::App& command);
-  /// The view with the options put in. Throws InputError.
+  /// Reads the view and applies the options. Throws InputError.
   View read() const;
-  /// The folder of the run of each of `files`: one given for each, one for all, or none.
+  /// The folder of the run of each file: the user gives one for each file, one for all, or none.
   std::vector<std::filesystem::path> results_of(std::size_t files) const;
 };
 
-/// `threads`, or as many as the machine runs at once if it is 0.
+/// `threads`, or the number of the machine's threads if it is 0.
 int thread_count(int threads);
 void add_threads_option(CLI::App& command, int& threads);
 

@@ -4,7 +4,7 @@
 
 int main(int count, char** words) {
   using namespace bake::render;
-  CLI::App app("Makes pictures of what bake has run. Needs no display.", "bake-render");
+  CLI::App app("Makes pictures of the results of bake run. Needs no display.", "bake-render");
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.require_subcommand(1);
   Action action;

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The .hdf files of a results folder's frames/, or of a folder of surfaces, in the order of their names.
+/// The .hdf files in frames/ of a results folder, or in a folder of surfaces, sorted by name.
 std::vector<fs::path> files_in(const fs::path& folder) {
   const fs::path place = fs::is_directory(folder / "frames") ? folder / "frames" : folder;
   if (!fs::is_directory(place))
@@ -46,11 +46,11 @@ std::string numbered_pictures(const fs::path& folder) {
   return pattern + "/%04d.png";
 }
 
-/// Makes a film of the first `count` numbered pictures, whole or not at all. False if ffmpeg is not there; throws std::runtime_error if
-/// it fails.
+/// Makes a film of the first `count` numbered pictures, completely or not at all. Returns false if ffmpeg is not installed; throws
+/// std::runtime_error if it fails.
 bool film_from(const fs::path& folder, std::size_t count, double rate, const fs::path& film) {
   AtomicFile file(film);
-  // this kind of film has an even number of pixels, and its colours are taken for those of television unless it says which they are
+  // H.264 needs an even number of pixels, and players assume the colours of television unless the film states them
   const ChildEnd end = run_child({"ffmpeg",
                                   "-y",
                                   "-loglevel",
@@ -92,7 +92,7 @@ struct Options : PictureOptions {
   double rate = 24;
 };
 
-/// One camera for the whole movie: what is seen first and last fits into the picture.
+/// One camera for the whole movie, into whose picture the first and the last frame fit.
 Stage stage_of(const View& view, const std::vector<fs::path>& files, const fs::path& results, int threads) {
   std::vector<Vec3f> points;
   for (const fs::path& file : {files.back(), files.front()}) {
@@ -122,7 +122,7 @@ int make_movie(const Options& options) {
   if (film_from(options.out, files.size(), options.rate, film))
     fmt::print("{}\n", film.string());
   else
-    fmt::print("{} pictures in {}; for an mp4 apt-get install ffmpeg\n", files.size(), options.out.string());
+    fmt::print("{} pictures in {}; to get an mp4, apt-get install ffmpeg\n", files.size(), options.out.string());
   return k_success;
 }
 

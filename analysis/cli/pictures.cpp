@@ -41,7 +41,7 @@ void add_slice_command(CLI::App& app, Action& action) {
     std::filesystem::path out;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("slice", "A technical picture: bodies cut open, painted by the fields of the view's [[panel]]s");
+  CLI::App* command = app.add_subcommand("slice", "A technical picture: bodies cut open, coloured by the fields of the view's [[panel]]s");
   options->add_to(*command);
   command->add_option("files", options->files, "frames or meshes")->required();
   command->add_option("--out", options->out, "the picture, a PNG file")->required();

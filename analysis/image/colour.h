@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Colours: sRGB as screens and view files have it, linear light as the path tracer reckons with, and maps from numbers to colours.
+// Colours: sRGB as screens and view files have it, linear light for the path tracer, and maps from numbers to colours.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +19,7 @@ Colour srgb_from_linear(const Colour& linear);
 /// CIE 1976 lightness L* of an sRGB colour, from 0 (black) to 100 (white).
 float lightness(const Colour& srgb);
 
-/// A colour at a place of a ramp.
+/// A colour at a position of a ramp.
 struct ColourStop {
   float at;
   Colour srgb;

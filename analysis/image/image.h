@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures of pixels: drawn on, written as PNG, put side by side.
+// Images: drawing on them, reading and writing PNG.
 #pragma once
 
 #include <cstddef>
@@ -27,10 +27,10 @@ struct Image {
 
 std::array<std::uint8_t, 3> pixel(const Colour& srgb);
 
-/// Copies `part` to where its upper left corner is (x, y); what lies outside is left out.
+/// Copies `part` so that its upper left corner is at (x, y); pixels outside this image are dropped.
 void paste(Image& image, const Image& part, int x, int y);
 
-/// The image at another size, each pixel the mean of what it covers: for making it smaller.
+/// The image at a smaller size; each pixel is the mean of the pixels that it covers.
 Image scaled(const Image& image, int width, int height);
 
 /// Where a text is anchored, horizontally; vertically it is always its middle.
@@ -40,10 +40,10 @@ enum class Anchor { left, centre, right };
 /// letters.
 void draw_text(Image& image, const std::string& text, int x, int y, int size, Anchor anchor, const Colour& srgb);
 
-/// Writes a PNG, whole or not at all; the same image gives the same bytes. Throws OutputError.
+/// Writes a PNG, completely or not at all; the same image gives the same bytes. Throws OutputError.
 void write_png(const std::filesystem::path& path, const Image& image);
 
-/// Throws InputError: missing, or no PNG.
+/// Throws InputError if the file is missing or not a PNG.
 Image read_png(const std::filesystem::path& path);
 
 }  // namespace bake

@@ -23,7 +23,7 @@ constexpr const char* k_allowed = "allowed: a file that `./bake bench` has writt
   throw InputError(fmt::format("{}: found {}, {}", file.string(), found, allowed));
 }
 
-/// Google Benchmark writes NaN and Infinity where JSON has no word: spreads of counters that are always zero.
+/// Replaces the NaN and Infinity that Google Benchmark writes for the spread of counters that are always zero, and that JSON lacks.
 std::string without_nan(std::string text) {
   for (const char* word : {": NaN", ": -NaN", ": Infinity", ": -Infinity"})
     for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos;) text.replace(at, std::string_view(word).size(), ": null");
@@ -49,7 +49,7 @@ std::string text_of(const json& context, const char* key, const char* otherwise)
   return at != context.end() && at->is_string() ? at->get<std::string>() : otherwise;
 }
 
-/// A limit, which the benchmark's own context holds as text.
+/// Reads a limit, which the context of the file holds as text.
 double limit_of(const std::filesystem::path& file, const json& context, const std::string& key) {
   const std::string text = text_of(context, key.c_str(), "");
   double value = 0;
@@ -73,7 +73,7 @@ double number_of(const json& context, const char* key, double otherwise) {
 
 double seconds_per(const std::string& unit) { return unit == "s" ? 1 : unit == "ms" ? 1e-3 : unit == "us" ? 1e-6 : 1e-9; }
 
-/// Without what only tells how it was run.
+/// Removes the parts of a name that only tell how the benchmark was run.
 std::string short_name(std::string name) {
   for (const char* suffix : {"/real_time", "/manual_time", "/process_time"})
     if (name.ends_with(suffix)) name.resize(name.size() - std::string_view(suffix).size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `./bake bench` has measured on a machine, read back from its JSON file.
+// Reads the measurements of `./bake bench` on a machine from their JSON file.
 #pragma once
 
 #include <filesystem>
@@ -25,8 +25,8 @@ struct BenchFile {
   std::map<std::string, std::vector<double>> seconds;  ///< by name: one number per repetition [s per iteration of wall time]
 };
 
-/// Repetitions that failed and aggregates (means, medians) are passed over. Throws InputError, one line, for what is no such file:
-/// missing, cut short, other JSON, without the machine's limits, without single repetitions.
+/// Skips failed repetitions and aggregates (means, medians). Throws InputError, one line, if the file is missing, cut short, other JSON, or
+/// without the machine's limits or single repetitions.
 BenchFile read_bench_file(const std::filesystem::path& file);
 
 }  // namespace bake::studies

@@ -11,7 +11,7 @@
 namespace bake::studies {
 namespace {
 
-/// The rate of a limit that holds for a benchmark: of its name's number of threads; parts of the law have one.
+/// The limit that applies to a benchmark, for the number of threads in its name; parts of the law run with one thread.
 double rate_for(const std::string& name, const MachineLimit& limit) {
   const bool all = name.find("/threads:") != std::string::npos && !name.ends_with("/threads:1");
   return all ? limit.all_threads : limit.one_thread;
@@ -58,10 +58,10 @@ std::string limits_in_words(const BenchFile& b) {
                      pair(b.single_GFLOPs), pair(b.double_GFLOPs));
 }
 
-/// A machine that did something else at the same time measures that, too.
+/// Warns of a machine that did other work at the same time, which the times then include.
 std::string warning_of_load(const BenchFile& b) {
   if (b.load <= 0.5 * b.logical_cores) return "";
-  return fmt::format("warning: {} was measured at a load of {:.1f} on {:.0f} cores: its times, and its limits, hold what else ran there\n",
+  return fmt::format("warning: {} was measured at a load of {:.1f} on {:.0f} cores: other work slowed its benchmarks and limits down\n",
                      b.file.string(), b.load, b.logical_cores);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Machines, compilers or versions of the program side by side: `bake compare a.json b.json [...]`.
+// Compares machines, compilers or versions of the program: `bake compare a.json b.json [...]`.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace bake::studies {
 
-/// One benchmark, in the first file and in another one.
+/// One benchmark in the first file and in another one.
 struct BenchRatio {
   enum class Verdict { faster, slower, noise, too_few };
 
@@ -27,16 +27,16 @@ struct BenchRatio {
   double per_fma() const { return ratio.value / fma_ratio; }      ///< above 1: the better use of the multiply-adds
 };
 
-/// What is in both files, in the order of the first. Throws InputError if that is nothing.
+/// Compares the benchmarks that both files have, in the order of the first. Throws InputError if there are none.
 std::vector<BenchRatio> compare(const BenchFile& base, const BenchFile& here);
 
 /// Geometric mean of the ratios.
 double mean_ratio(const std::vector<BenchRatio>& ratios);
 
-/// Both machines, a line per benchmark, and what to think of it. Warnings first: what makes the numbers doubtful.
+/// The comparison as text: warnings about doubtful numbers, both machines, a line per benchmark, and a summary.
 std::string in_words(const BenchFile& base, const BenchFile& here, const std::vector<BenchRatio>& ratios);
 
-/// Ratios with their intervals, beside the lines of the machines' limits: a panel per file but the first.
+/// A chart of the ratios with their intervals and of the ratios of the machines' limits, with a panel for each file except the first.
 charts::Chart chart_of(const BenchFile& base, const std::vector<BenchFile>& others, const std::vector<std::vector<BenchRatio>>& ratios);
 
 }  // namespace bake::studies

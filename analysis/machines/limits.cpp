@@ -15,13 +15,13 @@ namespace {
 
 constexpr int k_trials = 5;
 
-/// The compiler must have the value, and cannot know what becomes of it.
+/// Makes the compiler compute the value, whose use it cannot know.
 template <class Value>
 void keep(Value& value) {
   asm volatile("" : "+m"(value) : : "memory");
 }
 
-/// Seconds of the fastest trial.
+/// The seconds of the fastest trial.
 template <class Work>
 double fastest(Work work) {
   double best = 1e30;

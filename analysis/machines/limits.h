@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What the machine itself can do: the limits beside which the times of benchmarks and studies are read.
+// Measures the limits of the machine, with which the times of benchmarks and studies are compared.
 #pragma once
 
 #include <vector>
 
 namespace bake::bench {
 
-/// What so many threads reach.
+/// The rates that a number of threads reach.
 struct Speed {
   double triad_GB_per_s = 0;  ///< a[i] = b[i] + s c[i]; 24 bytes an element (what the caches read before they write is not counted)
   double single_GFLOPs = 0;   ///< multiply-adds in registers, two flops each

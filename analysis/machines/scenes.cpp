@@ -36,13 +36,13 @@ reference_pressure_Pa = 4000
 latent_heat_J_per_kg = 1.7e4
 [oven]
 temperature_C = 200
-exchange_W_per_m2K = 100
+heat_transfer_coefficient_W_per_m2K = 100
 [[collider]]
 name = "tray"
 shape = {{ half_space = {{ point_m = [0, 0, 0], normal = [0, 0, 1] }} }}
 contact = "sticky"
 temperature_C = 200
-exchange_W_per_m2K = 150
+heat_transfer_coefficient_W_per_m2K = 150
 [[material]]
 name = "dough"
 density_kg_per_m3 = 500

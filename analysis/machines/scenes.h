@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scenes that are timed: by ./bake bench, ./bake count and the study of effects.
+// The scenes that ./bake bench, ./bake count and the study of effects time.
 #pragma once
 
 #include <string>
@@ -39,10 +39,10 @@ inline const std::vector<Combination> k_combinations = {
     {"all/flip", {"motion", "elasticity", "plasticity", "heat", "water", "leavening"}, true},
 };
 
-/// A warm loaf on a tray in a hot oven, of about so many particles, seven in a cell.
+/// A warm loaf on a tray in a hot oven, with about the given number of particles, seven per cell.
 Scene loaf(const Combination& combination, Precision precision, double particles);
 
-/// A cube of so many cells a side, eight particles in each at quarter offsets, elastic, without gravity.
+/// An elastic cube without gravity, with the given number of cells per side and eight particles per cell at quarter offsets.
 Scene elastic_block(Precision precision, int cells);
 
 }  // namespace bake::bench

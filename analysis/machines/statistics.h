@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What repeated measurements say, without any assumption on how they scatter.
+// Statistics of repeated measurements, without assumptions about their distribution.
 #pragma once
 
 #include <optional>
@@ -7,20 +7,20 @@
 
 namespace bake::studies {
 
-/// The middle value, the mean of both middle ones if their number is even; 0 of nothing.
+/// The median: the middle value, or the mean of both middle values; 0 if there are no values.
 double median(std::vector<double> values);
 
-/// The middle value, the smallest and the largest.
+/// The median, the smallest and the largest value.
 struct Spread {
   double median = 0, low = 0, high = 0;
 };
 Spread spread_of(const std::vector<double>& values);  ///< of at least one
 
-/// Mann, Whitney (1947): are the numbers of one sample larger than those of another, or is it chance?
+/// The test of Mann and Whitney (1947): is it chance that the numbers of one sample are larger than those of another?
 struct MannWhitney {
   double U;           ///< pairs (x, y) with x > y; pairs of equals count half
-  double p;           ///< probability of a U at least as far from its middle, to either side, if both samples are of one kind
-  double p_smallest;  ///< of the two samples wholly apart; if this is no small number, nothing can be told whatever is measured
+  double p;           ///< probability of a U at least as far from its mean, to either side, if both samples have one distribution
+  double p_smallest;  ///< p of two samples that do not overlap at all; if it is not small, the samples are too small for any decision
 };
 
 /// Of up to k_exact numbers together the distribution is counted out: of all ways to hand the pooled ranks (equals share the mean of

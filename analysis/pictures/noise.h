@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Smooth noise in space with its slope.
+// Smooth noise in space, and its slope.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@
 
 namespace bake {
 
-/// A whole number mixed so that neighbours have nothing in common (the finaliser of MurmurHash3).
+/// Mixes a whole number so that the results of neighbours are unrelated (the finaliser of MurmurHash3).
 constexpr std::uint32_t mixed(std::uint32_t h) {
   h = (h ^ (h >> 16)) * 0x85ebca6bu;
   h = (h ^ (h >> 13)) * 0xc2b2ae35u;

@@ -18,7 +18,7 @@ namespace {
 constexpr const char* k_browning = "browning";
 constexpr const char* k_first_position = "first_position";
 
-/// What is painted: a place in the file's own space, and what the file itself knows there.
+/// A point that gets a colour: its position in the file's own space, and the values of the file there.
 struct Part {
   Mesh mesh;
   bool inside;  ///< a cut or crack face: crumb, not skin
@@ -88,7 +88,7 @@ class Loader {
     return object;
   }
 
-  /// Sees to it that the mesh has the fields that its paint needs.
+  /// Adds the fields to the mesh that its colours need.
   void give_fields(Mesh& mesh) {
     if (settings_.paint == Paint::field) shown_.provide(mesh, settings_.field);
     if (settings_.paint != Paint::browning || mesh.find(k_browning)) return;
@@ -101,7 +101,7 @@ class Loader {
     return histories_.at(shown_.results(), view_.browning, frame_at(shown_.results(), shown_.time_s()));
   }
 
-  /// What the map spans: as the view says, else the values' own range.
+  /// The range of the colour map: as the view says, else that of the values.
   template <class ForAll>
   std::pair<double, double> range(ForAll for_all) const {
     double low = k_infinity, high = -k_infinity;

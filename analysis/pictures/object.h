@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a file (a frame's particles, or a mesh) to shapes with colours at their vertices.
+// Makes shapes with colours at their vertices from a file (the particles of a frame, or a mesh).
 #pragma once
 
 #include <filesystem>
@@ -14,10 +14,10 @@
 
 namespace bake {
 
-/// Histories of browning by results folder, kept from picture to picture so that a movie reads each frame once.
+/// The histories of browning of runs, kept from picture to picture so that a movie reads each frame once.
 class Histories {
  public:
-  /// The history of that run, taken in up to `frame`. Throws InputError as BrowningHistory does.
+  /// The history of a run up to `frame`. Throws InputError as BrowningHistory does.
   const BrowningHistory& at(const std::filesystem::path& results, const BrowningLaw& law, int frame);
 
  private:

@@ -19,7 +19,7 @@ namespace bake {
 
 using Vec3f = Eigen::Vector3f;  ///< a point or direction of a picture [m]
 
-/// Fine structure that no mesh resolves, as noise in the object's texture coordinates. A look, not data.
+/// Fine structure that no mesh resolves, as noise in the object's texture coordinates. It serves the look and is no data.
 struct Grain {
   float size = 0;      ///< of the largest bumps [m]; 0: none
   float bump = 0;      ///< how much normals are tilted, about the slope of the bumps
@@ -96,7 +96,7 @@ class PathTracer {
   Lamp lamp;
   Sky sky;
 
-  /// Takes the picture. `rows_done(n)` is called now and then by the first thread.
+  /// Renders the picture. The first thread calls `rows_done(n)` now and then.
   Radiance expose(const Camera& camera, const Exposure& exposure, const std::function<void(int)>& rows_done = {});
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a view and files to a finished picture.
+// Makes a picture from a view and files.
 #pragma once
 
 #include <filesystem>
@@ -12,15 +12,15 @@
 
 namespace bake {
 
-/// The nearest camera that looks along -direction and has all `points` within the picture, `margin` of which stays free on each side
-/// and `below` more at the bottom. Exact for points: their outermost ones touch the margins in width, in height or in both.
+/// The nearest camera that looks along -direction and sees all `points`. The share `margin` of the picture stays free on each side, and
+/// `below` more at the bottom. The fit is exact: the outermost points touch the margins in width, in height or in both.
 Camera fitted_camera(const std::vector<Vec3f>& points, const Vec3f& direction, double angle_of_view_deg, double aspect, double margin,
                      double below);
 
 /// Light to sRGB: exposure, then a curve that rolls off highlights (Narkowicz 2015, fit of the ACES film curve).
 Image developed(const Radiance& radiance, double exposure);
 
-/// All that is in a picture, before the camera is set up.
+/// The contents of a picture, before the camera is set up.
 struct Composition {
   std::vector<PictureObject> objects;
   std::vector<std::vector<Vec3f>> outlines;  ///< points of each that can be outermost
@@ -40,11 +40,11 @@ struct Stage {
 };
 Stage set_stage(const View& view, const std::vector<Vec3f>& points);
 
-/// Takes the picture.
+/// Renders the picture.
 Image take_picture(const View& view, Composition composition, const Stage& stage, int threads,
                    const std::function<void(double share)>& progress = {});
 
-/// All three steps.
+/// Does all three steps.
 Image take_picture(const View& view, const std::vector<std::filesystem::path>& files, const std::vector<std::filesystem::path>& results,
                    Histories& histories, int threads, const std::function<void(double share)>& progress = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One file that is shown - a frame's particles or a mesh - with the run around it, from which it gets what it does not hold itself.
+// A file that is shown (the particles of a frame, or a mesh) and its run, from which it gets fields that the file does not hold.
 #pragma once
 
 #include <filesystem>
@@ -28,9 +28,9 @@ class Shown {
   const std::filesystem::path& results() const;
   /// Adds fields of the particles to a mesh in the same space. Throws InputError if the particles are of another run or time.
   void add_fields(Mesh& mesh, const std::vector<MeshField>& fields) const;
-  /// Sees to it that the mesh has the scalar `name`: its own, or the particles'. Throws InputError, with the nearest name.
+  /// Ensures that the mesh has the scalar `name`, its own or that of the particles. Throws InputError with the nearest name.
   void provide(Mesh& mesh, const std::string& name) const;
-  /// Throws InputError: there is no scalar of that name, with the nearest among `fields`.
+  /// Throws InputError that there is no scalar `name`, with the nearest name among `fields`.
   [[noreturn]] void refuse_field(const std::string& name, const std::vector<MeshField>& fields) const;
 
  private:

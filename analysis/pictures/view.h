@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A view: how a picture is taken, as a TOML file beside the experiment (experiments/<experiment>/views/<name>.toml).
+// A view: it tells how a picture is made, in a TOML file beside the experiment (experiments/<experiment>/views/<name>.toml).
 //
-// Every key is declared here once, as those of scenes are; reader, checks and `bake-render explain` come from that. Colours are sRGB.
+// As for scenes, every key is declared once; the reader, the checks and `bake-render explain` use the declaration. Colours are sRGB.
 #pragma once
 
 #include <filesystem>
@@ -252,10 +252,10 @@ struct View {
 /// Reads and checks a view; `overrides` are `key=value` as for scenes. Throws InputError, one line with file, line and key.
 View read_view(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
-/// The same from text in memory that is called `name` in messages.
+/// Reads a view from text in memory; messages call it `name`.
 View parse_view(std::string_view text, const std::filesystem::path& name, const std::vector<std::string>& overrides = {});
 
-/// All keys of a view with unit, default and meaning, for people.
+/// Describes all keys of a view with unit, default and meaning.
 std::string explain_view();
 
 }  // namespace bake

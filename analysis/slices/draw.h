@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Technical drawings of meshes by VTK: parallel projection, plain colours, edges if wanted. No display needed.
+// Technical drawings of meshes by VTK: parallel projection, plain colours, edges on request. They need no display.
 #pragma once
 
 #include <Eigen/Core>

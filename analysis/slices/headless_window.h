@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A VTK render window without X: Mesa's surfaceless EGL platform. (Debian's VTK 9.1 knows GLX only.)
+// A VTK render window without X, on Mesa's surfaceless EGL platform. (Debian's VTK 9.1 supports GLX only.)
 #pragma once
 
 // clang-format off

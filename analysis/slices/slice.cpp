@@ -31,7 +31,7 @@ Axes axes_of(const SliceSettings& slice) {
   return {right, n.cross(right), n};
 }
 
-/// What is drawn of one file: the face of the cut, and the body behind it; without a cut the whole body as `face`.
+/// The parts of one file that are drawn: the face of the cut and the body behind it; without a cut the whole body is the `face`.
 struct Body {
   std::string title;
   Mesh face, behind;
@@ -99,7 +99,7 @@ double round_below(double most) {
   return (most >= 5 * power ? 5 : most >= 2 * power ? 2 : 1) * power;
 }
 
-/// Where things are in the picture [pixels].
+/// The layout of the picture [pixels].
 struct Layout {
   int text, cell_width, cell_height, foot;
   Layout(const PictureSettings& picture, int columns, int rows) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What pictures need to do to meshes.
+// Operations on meshes that pictures need.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 
 namespace bake {
 
-/// The triangles of which a mesh of tetrahedra has only one, turned outwards, with the fields of their vertices.
+/// The boundary of a mesh of tetrahedra: the faces that only one tetrahedron has, facing outwards, with the fields of their vertices.
 Mesh boundary_of_tetrahedra(const Mesh& tetrahedra);
 
 /// Normals at the corners of each triangle: the mean, weighted by area, over those triangles around the vertex whose normals are within

@@ -24,7 +24,8 @@ struct Particles {
   float spacing() const;
 };
 
-/// Throws InputError: missing, damaged, no frame, no particle, no volumes, or a position or volume that is not finite.
+/// Throws InputError if the file is missing, damaged or not a frame, if it has no particle or no volumes, or if a position or volume is not
+/// finite.
 Particles read_particles_of_frame(const std::filesystem::path& path);
 
 }  // namespace bake

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points in bins of equal size, to find those near a place.
+// Sorts points into bins of equal size, to find those near a position.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@
 
 namespace bake {
 
-/// Refers to the points, which must outlive it.
+/// The grid refers to the points, which must outlive it.
 class PointGrid {
  public:
   /// `points`: x, y, z of each, at least one, all finite; `cell` above 0: edge of a bin, best the distance that is asked for.
@@ -24,7 +24,7 @@ class PointGrid {
       high = high.max(point(i).array());
     }
     cell_ = cell;
-    constexpr double k_most_bins = 1 << 26;  // far-flung points: larger bins instead of endless memory
+    constexpr double k_most_bins = 1 << 26;  // if points lie far apart, bins get larger so that memory stays bounded
     const Eigen::Array3d size = (high - low_).cast<double>();
     while (((size / cell_).floor() + 1).prod() > k_most_bins) cell_ *= 2;
     bins_ = ((high - low_) / cell_).floor().cast<int>() + 1;

@@ -64,11 +64,11 @@ SampleGrid grid_around(const Particles& particles, float spacing) {
   return {low - margin, cell, nodes.cast<int>()};
 }
 
-/// phi at every node, positive inside: half a spacing less the distance to the weighted mean of particles around.
+/// phi at every node, positive inside: half a spacing minus the distance to the weighted mean of the particles around.
 std::vector<float> level_set(const Particles& particles, const SampleGrid& grid, float spacing, int threads) {
   const float reach = k_reach * spacing;
   const std::size_t layers = static_cast<std::size_t>(grid.nodes.z()), slabs = (layers + k_slab - 1) / k_slab;
-  // particles by the slabs that they reach, in their own order, so that sums do not depend on threads
+  // each slab gets the particles that reach it, in their own order, so that sums do not depend on threads
   std::vector<std::vector<std::uint32_t>> of_slab(slabs);
   for (std::size_t i = 0; i < particles.count(); ++i) {
     const float z = particles.positions[3 * i + 2] - grid.low.z();

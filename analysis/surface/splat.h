@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A closed smooth surface around particles that have no mesh.
+// Makes a closed smooth surface around particles that have no mesh.
 #pragma once
 
 #include "analysis/surface/particles.h"
@@ -19,9 +19,9 @@ struct SplatSettings {
 /// may vanish. Throws InputError if nothing is left, or if the particles are strewn too far for the grid.
 Mesh splat_surface(const Particles& particles, const SplatSettings& settings = {});
 
-/// Fields of the particles at other places, as weighted means of the particles within 1.8 spacings (or the nearest one).
-/// Throws InputError naming `what` if more than one place in a hundred has none within 4: they belong to another run or time. (Few may be
-/// so far away: where crumbs part, the surface between them is extrapolated.)
+/// Interpolates the particles' fields at other points, as weighted means of the particles within 1.8 spacings (or the nearest one).
+/// Throws InputError naming `what` if more than one point in a hundred has no particle within 4 spacings: then the points belong to another
+/// run or time. (Single points may be that far away: where crumbs separate, the surface between them is extrapolated.)
 std::vector<MeshField> fields_at(const std::vector<double>& points, const Particles& particles, const std::vector<MeshField>& fields,
                                  int threads, const std::string& what);
 

@@ -11,7 +11,7 @@ namespace bake::studies::accuracy {
 /// A metric of the finished run. Its error is relative to how far the reference has come from `start`.
 struct Quantity {
   std::string name;    ///< in tables
-  std::string metric;  ///< of claims/
+  std::string metric;  ///< a metric of analysis/claims
   MetricPlace at = {};
   double start = 0;  ///< what it is before anything happens
 };

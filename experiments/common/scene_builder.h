@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all scenes of the studies share: double precision, density 1 kg/m^3, no gravity unless told.
+// Builds the scenes of the studies. They have double precision, a density of 1 kg/m^3 and, by default, no gravity.
 #pragma once
 
 #include <memory>
@@ -24,14 +24,14 @@ struct SceneBuilder {
   std::string motion = "gravity_m_per_s2 = [0, 0, 0]";
   std::string material;                ///< keys of the material "dough" besides its density
   std::string tables;                  ///< further tables, the bodies among them
-  int threads = 1;                     ///< most settings are too small to share
+  int threads = 1;                     ///< most of these scenes are too small for several threads
   std::vector<std::string> overrides;  ///< `key=value`, as for parse_scene
 
   Scene scene() const;
   std::unique_ptr<Simulation> begin() const;
 };
 
-/// Steps until `time`, at which everything is sampled. Throws RunError.
+/// Takes steps until `time`, at which all quantities are sampled. Throws RunError.
 void run_to(Simulation& simulation, double time);
 
 }  // namespace bake::studies

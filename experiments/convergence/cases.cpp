@@ -3,8 +3,8 @@
 
 namespace bake::studies {
 
-const std::vector<Case>& all_cases() {
-  static const std::vector<Case> cases{
+const std::vector<ConvergenceCase>& all_cases() {
+  static const std::vector<ConvergenceCase> cases{
       {"slab_cosine", "an insulated slab with a cosine of temperature: it decays with exp(-pi^2 Fo)", slab_cosine},
       {"slab_halves", "a hot and a cold half of an insulated slab: cosine series", slab_halves},
       {"slab_held", "a slab whose faces are held at 1 and 0: sine series", slab_held},

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The cases by name; each stands in a file of its own with its exact solution and what is expected of the solver.
+// The cases of the study by name. Each has a file of its own with its exact solution and what is expected of the solver.
 #pragma once
 
 #include "experiments/common/errors.h"
 
 namespace bake::studies {
 
-/// An exact solution that the solver is run against.
-struct Case {
+/// An exact solution with which the solver is compared.
+struct ConvergenceCase {
   const char* name;
   const char* solution;  ///< one line for the table
   std::vector<Errors> (*measure)(bool quick);
 };
 
 /// All cases. To add one, add a line.
-const std::vector<Case>& all_cases();
+const std::vector<ConvergenceCase>& all_cases();
 
 std::vector<Errors> slab_cosine(bool quick);
 std::vector<Errors> slab_halves(bool quick);

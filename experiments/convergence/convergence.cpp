@@ -21,7 +21,7 @@ namespace {
 using nlohmann::json;
 
 /// One row of the table for each quantity of the case.
-json measure(const Case& c, bool quick) {
+json measure(const ConvergenceCase& c, bool quick) {
   json rows = json::array();
   fmt::print("{}: {}\n", c.name, c.solution);
   for (const Errors& e : c.measure(quick)) {
@@ -37,7 +37,7 @@ json measure(const Case& c, bool quick) {
 }
 
 /// The rows of a case in a table that was written before.
-json stored(const std::filesystem::path& file, const Case& c) {
+json stored(const std::filesystem::path& file, const ConvergenceCase& c) {
   json rows = json::array();
   std::ifstream in(file);
   if (!in) return rows;
@@ -81,9 +81,9 @@ std::string as_markdown(const json& rows) {
 
 void expect_known(const std::vector<std::string>& names) {
   for (const std::string& name : names)
-    if (std::none_of(all_cases().begin(), all_cases().end(), [&](const Case& c) { return c.name == name; })) {
+    if (std::none_of(all_cases().begin(), all_cases().end(), [&](const ConvergenceCase& c) { return c.name == name; })) {
       std::vector<std::string> known;
-      for (const Case& c : all_cases()) known.push_back(c.name);
+      for (const ConvergenceCase& c : all_cases()) known.push_back(c.name);
       throw InputError(fmt::format("--case: found \"{}\", allowed: {}", name, fmt::join(known, ", ")));
     }
 }
@@ -95,7 +95,7 @@ bool run_convergence(const StudyOptions& options) {
   const auto file = options.out / "orders.json";
   json rows = json::array();
   bool held = true;
-  for (const Case& c : all_cases()) {
+  for (const ConvergenceCase& c : all_cases()) {
     const bool asked = options.cases.empty() || std::find(options.cases.begin(), options.cases.end(), c.name) != options.cases.end();
     const auto start = std::chrono::steady_clock::now();
     for (json& row : asked ? measure(c, options.quick) : stored(file, c)) {

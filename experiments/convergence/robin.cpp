@@ -41,7 +41,7 @@ Bar slab(double biot) {
   bar.across = 6;
   bar.air = 4;
   bar.material = "initial_temperature_C = 1\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
-  bar.tables = fmt::format("[oven]\ntemperature_C = 0\nexchange_W_per_m2K = {}\n", biot / k_half);
+  bar.tables = fmt::format("[oven]\ntemperature_C = 0\nheat_transfer_coefficient_W_per_m2K = {}\n", biot / k_half);
   return bar;
 }
 

@@ -20,7 +20,7 @@ SceneBuilder ball_in_air::setting(double cells_in_radius, double conductivity_W_
   setting.tables = fmt::format(R"(
 [oven]
 temperature_C = 0
-exchange_W_per_m2K = 1
+heat_transfer_coefficient_W_per_m2K = 1
 [[body]]
 material = "dough"
 particles_per_cell = 8

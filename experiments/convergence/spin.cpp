@@ -57,7 +57,7 @@ std::vector<Errors> spinning_disc(bool quick) {
 material = "dough"
 particles_per_cell = 8
 jitter = 0
-spin_rad_per_s = [0, 0, {}]
+angular_velocity_rad_per_s = [0, 0, {}]
 shape = {{ cylinder = {{ from_m = [0, 0, 0], to_m = [0, 0, {:.17g}], radius_m = 1 }} }}
 )",
                                  omega, dx);

@@ -61,7 +61,8 @@ std::pair<double, double> risen(const char* form, bool quick, double& volume_rat
 double cooled(const char* form, bool quick) {
   SceneBuilder setting = ball("\"heat\"", quick);
   setting.material = "initial_temperature_C = 100\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
-  setting.tables = fmt::format("[heat]\nexchange_form = \"{}\"\n[oven]\ntemperature_C = 20\nexchange_W_per_m2K = 1\n", form);
+  setting.tables =
+      fmt::format("[heat]\nheat_transfer_form = \"{}\"\n[oven]\ntemperature_C = 20\nheat_transfer_coefficient_W_per_m2K = 1\n", form);
   place_ball(setting);
   const auto s = setting.begin();
   run_to(*s, 0.2);
@@ -72,7 +73,7 @@ double area_found(const char* form, bool quick) {
   SceneBuilder setting = ball("\"heat\"", quick);
   setting.material = "specific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
   setting.surface = fmt::format("form = \"{}\"", form);
-  setting.tables = "[oven]\ntemperature_C = 20\nexchange_W_per_m2K = 1\n";
+  setting.tables = "[oven]\ntemperature_C = 20\nheat_transfer_coefficient_W_per_m2K = 1\n";
   place_ball(setting);
   const auto s = setting.begin();
   run_to(*s, 1e-3);

@@ -10,7 +10,7 @@
 namespace bake {
 namespace {
 
-/// Runs and surfaces that claims are about, each read once.
+/// The runs and surfaces that the claims measure; each is read once.
 class Measured {
  public:
   Measured(const FigurePaths& paths, const Computed& computed) : place_(paths), computed_(computed) {}

@@ -38,7 +38,7 @@ ComputedNames names_of(const Computed& computed) {
 
 namespace {
 
-/// Width on the terminal: bytes of UTF-8 that begin a character.
+/// The width on the terminal: the number of bytes that begin a UTF-8 character.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Items without a simulation: a function of its own, experiments/<item>/*.cpp, computes charts, tables and numbers.
+// Items without a simulation: their charts, tables and numbers are computed by a function in experiments/<item>/*.cpp.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ struct ComputedNumber {
   double value;
 };
 
-/// Cells as they are to be read, for terminal and page.
+/// A table whose cells are formatted for the terminal and the page.
 struct ComputedTable {
   std::string name;
   std::string title;
@@ -42,15 +42,15 @@ struct ComputedItem {
 /// All of them. To add one, add a line in computed.cpp.
 const std::vector<ComputedItem>& computed_items();
 
-/// Of the experiment in that folder, or nullptr.
+/// The function of the experiment in that folder, or nullptr if it has none.
 const ComputedItem* find_computed(std::string_view experiment);
 
 /// The names that a figure.toml may use.
 ComputedNames names_of(const Computed& computed);
 
-/// In columns, for the terminal.
+/// The table in columns, for the terminal.
 std::string text_of(const ComputedTable& table);
-/// For programs: RFC 4180.
+/// The table as CSV (RFC 4180), for programs.
 std::string csv_of(const ComputedTable& table);
 std::string markdown_of(const ComputedTable& table);
 

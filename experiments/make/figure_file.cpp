@@ -27,7 +27,7 @@ std::vector<std::string> runs_and_surfaces(const Figure& figure) {
   return names;
 }
 
-/// Complains about a name that is not among the known.
+/// Complains about an unknown name.
 void check_known(const SceneEntry& entry, std::string_view key, const std::string& name, const char* what,
                  const std::vector<std::string>& known) {
   if (std::find(known.begin(), known.end(), name) == known.end())
@@ -35,7 +35,7 @@ void check_known(const SceneEntry& entry, std::string_view key, const std::strin
                       fmt::format("unknown {} '{}'; {}", what, quotable(name), known.empty() ? "there is none" : suggestion(name, known)));
 }
 
-/// Names become names of files.
+/// Checks a name, which becomes part of a file's name.
 void check_name(const SceneEntry& entry, const std::string& name, const std::vector<std::string>& taken) {
   if (name.empty() || name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos)
     entry.complain_at("name", fmt::format("found '{}', allowed: a-z, 0-9 and _", quotable(name)));
@@ -71,7 +71,7 @@ void check(const SceneEntry& entry, const FigureChart& chart, const Figure& figu
   for (const std::string& name : chart.of) check_known(entry, "of", name, "run", names_in(figure.runs));
 }
 
-/// The metric can be measured of what it is to be measured of.
+/// Checks that the metric can be measured of the run or surface that the claim names.
 void check(const SceneEntry& entry, const Claim& claim, const Figure& figure) {
   auto names = claim.of;
   if (!claim.greater_than.empty()) names.push_back(claim.greater_than);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// experiments/<item>/figure.toml: how an item of the paper is made from runs, and what is claimed of them.
+// Reads experiments/<item>/figure.toml, which tells how an item of the paper is made from runs, and what is claimed of them.
 #pragma once
 
 #include "analysis/claims/claim.h"
@@ -37,11 +37,11 @@ struct FigureSurface {
         Parameter{"run", &FigureSurface::run, "", any_number, "the run, one with mesh = true", Presence::required},
         Parameter{"reference_time_s", &FigureSurface::reference_time_s, "s", non_negative,
                   "edges break when they are longer than `stretch` times their length at this time"},
-        Parameter{"times_s", &FigureSurface::times_s, "s", non_negative, "when; at the end unless given"},
+        Parameter{"times_s", &FigureSurface::times_s, "s", non_negative, "times of the surfaces; at the end unless given"},
         Parameter{"stretch", &FigureSurface::stretch, "1", Range{1, k_infinity, true, true, "a number above 1"},
-                  "length over that of the reference at which an edge breaks; that of bake-mesh unless given"},
+                  "an edge breaks beyond this many times its reference length; as in bake-mesh unless given"},
         Parameter{"smallest_gap_m", &FigureSurface::smallest_gap_m, "m", non_negative,
-                  "an edge breaks only if it has also grown by so much; that of bake-mesh unless given"},
+                  "an edge breaks only if it has also grown by this length; as in bake-mesh unless given"},
     };
   }
 };
@@ -49,7 +49,7 @@ struct FigureSurface {
 enum class PictureKind { picture, slice };
 constexpr auto choice_names(PictureKind) { return std::array{"picture", "slice"}; }
 
-/// [[picture]]: made by bake-render.
+/// [[picture]]: a picture that bake-render makes.
 struct FigurePicture {
   std::string name;
   std::string shows;
@@ -59,20 +59,20 @@ struct FigurePicture {
   std::vector<double> times_s;
   static constexpr auto parameters() {
     return std::tuple{
-        Parameter{"name", &FigurePicture::name, "", any_number, "of its file", Presence::required},
-        Parameter{"shows", &FigurePicture::shows, "", any_number, "for those who cannot see it, and below it on the page",
-                  Presence::required},
+        Parameter{"name", &FigurePicture::name, "", any_number, "name of its file", Presence::required},
+        Parameter{"shows", &FigurePicture::shows, "", any_number,
+                  "what it shows: for readers who cannot see it, and as its caption on the page", Presence::required},
         Parameter{"kind", &FigurePicture::kind, "", any_number, "the command of bake-render"},
         Parameter{"view", &FigurePicture::view, "", any_number, "views/<view>.toml of this folder: camera, light, labels",
                   Presence::required},
         Parameter{"of", &FigurePicture::of, "", any_number, "runs (their frames) and surfaces, in the order of the view's objects",
                   Presence::required},
-        Parameter{"times_s", &FigurePicture::times_s, "s", non_negative, "when, each of them; at the end unless given"},
+        Parameter{"times_s", &FigurePicture::times_s, "s", non_negative, "the time of each; at the end unless given"},
     };
   }
 };
 
-/// [[chart]]: a column of the ledger over time, or a chart that the item's own function gives (a name alone).
+/// [[chart]]: a column of the ledger over time, or, if only a name is given, a chart that the item's function computes.
 struct FigureChart {
   std::string name;
   std::string shows;
@@ -80,11 +80,11 @@ struct FigureChart {
   std::vector<std::string> of;
   static constexpr auto parameters() {
     return std::tuple{
-        Parameter{"name", &FigureChart::name, "", any_number, "of its files", Presence::required},
-        Parameter{"shows", &FigureChart::shows, "", any_number, "for those who cannot see it, and below it on the page",
-                  Presence::required},
-        Parameter{"column", &FigureChart::column, "", any_number, "of the ledger, over time"},
-        Parameter{"of", &FigureChart::of, "", any_number, "the runs, a line each"},
+        Parameter{"name", &FigureChart::name, "", any_number, "name of its files", Presence::required},
+        Parameter{"shows", &FigureChart::shows, "", any_number,
+                  "what it shows: for readers who cannot see it, and as its caption on the page", Presence::required},
+        Parameter{"column", &FigureChart::column, "", any_number, "column of the ledger, drawn over time"},
+        Parameter{"of", &FigureChart::of, "", any_number, "the runs, one line each"},
     };
   }
 };
@@ -100,12 +100,12 @@ struct Figure {
   std::vector<Claim> claims;
 };
 
-/// Names of what an item's own function gives (see experiments/make/computed.h).
+/// Names of the charts and numbers that an item's function computes (see experiments/make/computed.h).
 struct ComputedNames {
   std::vector<std::string> charts, numbers;
 };
 
-/// Reads and checks the file: every name that refers to something finds it. Throws InputError with file, line, found and allowed.
+/// Reads the file and checks that every name in it refers to something that exists. Throws InputError with file, line, found and allowed.
 Figure read_figure(const std::filesystem::path& file, const ComputedNames& computed = {});
 
 /// The scene file of a run: experiments/<experiment>/<scene>.toml beside the figure's folder.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the results of an item are, and how it is asked for.
+// The paths of an item's results, and the options with which it is made.
 #pragma once
 
 #include "experiments/make/figure_file.h"
@@ -16,7 +16,7 @@ inline std::filesystem::path item_folder(const Item& item, Quality quality) {
 struct MakeOptions {
   Quality quality = Quality::draft;
   int threads = 0;       ///< 0: all cores
-  std::string only_run;  ///< this run and nothing else; empty: all
+  std::string only_run;  ///< make only this run; empty: make everything
   bool pictures = true;
   std::string size;  ///< of pictures, "640x480"; empty: as the view says
   int samples = 0;   ///< paths of light per pixel; 0: as the view says
@@ -35,7 +35,7 @@ struct FigurePaths {
   std::filesystem::path surface(const std::string& name) const { return item_folder() / name; }
 };
 
-/// One line on standard error about what is being made, unless quiet.
+/// Prints one line on standard error about what is being made, unless quiet.
 void say(const MakeOptions& options, const std::string& line);
 
 }  // namespace bake

@@ -54,14 +54,14 @@ void check_other(const SceneEntry& entry, const Items& items, const OtherExperim
     entry.complain_at("experiment", fmt::format("found '{}', allowed: a folder in experiments", other.experiment));
 }
 
-/// Every experiment belongs to an item or has a stated purpose.
+/// Checks that every experiment belongs to an item or has a stated purpose.
 void check_experiments(const SceneEntry& root, const Items& items) {
   std::set<std::string> known;
   for (const Item& item : items.items) known.insert(item.experiment);
   for (const OtherExperiment& other : items.others) known.insert(other.experiment);
   for (const auto& entry : fs::directory_iterator(items.root / "experiments"))
     if (const std::string folder = entry.path().filename().string(); entry.is_directory() && !known.contains(folder))
-      root.complain(fmt::format("found experiments/{}, of which no [[item]] or [[other]] tells", folder));
+      root.complain(fmt::format("found experiments/{}, which no [[item]] or [[other]] names", folder));
 }
 
 }  // namespace

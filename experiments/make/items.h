@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// paper/items.toml: every figure and table of the paper, and where it is made.
+// Reads paper/items.toml, which lists every figure and table of the paper and the experiment that makes it.
 #pragma once
 
 #include <filesystem>
@@ -26,29 +26,31 @@ struct Item {
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"number", &Item::number, "", any_number, "\"figure 15\" or \"table 2\"", Presence::required},
-        Parameter{"name", &Item::name, "", any_number, "one word, also of the folder of its results", Presence::required},
+        Parameter{"name", &Item::name, "", any_number, "one word, also in the name of the folder of its results", Presence::required},
         Parameter{"shows", &Item::shows, "", any_number, "what the paper shows, in one line", Presence::required},
-        Parameter{"status", &Item::status, "", any_number, "how far it is", Presence::required},
-        Parameter{"experiment", &Item::experiment, "", any_number, "its folder in experiments; needed unless it is not there yet"},
-        Parameter{"scenes", &Item::scenes, "", any_number, "while it is not done: its scenes; then its figure.toml names them"},
-        Parameter{"claims", &Item::claims, "", any_number, "while it is not done: what must be measured; then its figure.toml does so"},
+        Parameter{"status", &Item::status, "", any_number, "whether it is done", Presence::required},
+        Parameter{"experiment", &Item::experiment, "", any_number,
+                  "its folder in experiments; required unless the status is \"not there yet\""},
+        Parameter{"scenes", &Item::scenes, "", any_number, "its scenes while it is not done; after that its figure.toml names them"},
+        Parameter{"claims", &Item::claims, "", any_number,
+                  "what must be measured, while it is not done; after that its figure.toml has the claims"},
     };
   }
 };
 
-/// [[other]]: a folder in experiments that belongs to no item.
+/// [[other]]: a folder in experiments/ that belongs to no item.
 struct OtherExperiment {
   std::string experiment;
   std::string purpose;
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"experiment", &OtherExperiment::experiment, "", any_number, "a folder in experiments", Presence::required},
-        Parameter{"purpose", &OtherExperiment::purpose, "", any_number, "what it is there for", Presence::required},
+        Parameter{"purpose", &OtherExperiment::purpose, "", any_number, "its purpose", Presence::required},
     };
   }
 };
 
-/// The sources that items come from: where paper/items.toml and experiments/ are, and the items.
+/// The items, and the root of the sources that holds paper/items.toml and experiments/.
 struct Items {
   std::filesystem::path root;
   std::vector<Item> items;
@@ -58,14 +60,14 @@ struct Items {
   std::filesystem::path figure_file_of(const Item& item) const { return experiment_of(item) / "figure.toml"; }
 };
 
-/// The nearest folder at or above the working folder that has a paper/items.toml, else the sources the program was built from.
+/// The nearest folder at or above the working folder with a paper/items.toml; without one, the sources that the program was built from.
 std::filesystem::path items_root(const std::filesystem::path& built_from);
 
 /// Reads <root>/paper/items.toml. Throws InputError for a link that leads nowhere: no such experiment, scene or figure.toml, a number or
 /// name twice, an experiment that neither an item nor an [[other]] names.
 Items read_items(const std::filesystem::path& root);
 
-/// The item meant by "15", "figure 15", "bread" or "fig15_bread"; `kind` is what a number alone stands for. Throws InputError.
+/// The item that "15", "figure 15", "bread" or "fig15_bread" stands for; a number alone means the `kind`. Throws InputError.
 const Item& find_item(const Items& items, const std::string& words, const std::string& kind = "figure");
 
 }  // namespace bake

@@ -9,7 +9,7 @@
 namespace bake {
 namespace {
 
-/// "volume_m3": what it is, and its unit as charts write it.
+/// Splits "volume_m3" into the quantity and its unit as charts write it.
 charts::Axis axis_of_column(const std::string& column) {
   constexpr std::pair<const char*, const char*> k_units[] = {{"_m3", "m$^3$"}, {"_m2", "m$^2$"}, {"_m", "m"},     {"_s", "s"},
                                                              {"_kg", "kg"},    {"_C", "°C"},     {"_mol", "mol"}, {"_J", "J"}};

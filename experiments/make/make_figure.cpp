@@ -37,7 +37,7 @@ ReadFigure read_figure(const Items& items, const Item& item) {
 
 namespace {
 
-/// Before hours of simulation.
+/// Checks this before hours of simulation.
 void check_programs(const FigurePaths& paths) {
   const auto& runs = paths.figure.runs;
   if (std::any_of(runs.begin(), runs.end(), [](const FigureRun& run) { return run.mesh; })) find_program("bake-mesh");
@@ -52,7 +52,7 @@ MadeFigure make_figure(const Items& items, const Item& item, const MakeOptions& 
   check_programs(paths);
   make_runs(paths);
   if (!options.only_run.empty()) return {{}, {}, paths.run(options.only_run)};
-  if (!figure.runs.empty()) computed = compute(item);  // it may be about its runs
+  if (!figure.runs.empty()) computed = compute(item);  // it may need the runs
   make_surfaces(paths);
   if (options.pictures) make_pictures(paths);
   make_charts(paths, computed);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From an item of the paper to its checked figure.
+// Makes the checked figure of an item of the paper.
 #pragma once
 
 #include "experiments/make/computed.h"
@@ -7,16 +7,16 @@
 
 namespace bake {
 
-/// What came of an item.
+/// The result of making an item.
 struct MadeFigure {
   std::vector<ClaimVerdict> verdicts;  ///< empty if only one run was asked for
   std::vector<ComputedTable> tables;
   std::filesystem::path folder;  ///< results/items/<item>-<quality>
 
-  bool holds() const;  ///< every claim
+  bool holds() const;  ///< whether every claim holds
 };
 
-/// The item's figure.toml, and what its own function computes.
+/// The item's figure.toml, and the names of what its function computes.
 struct ReadFigure {
   Figure figure;
   Computed computed;

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 /// What a picture shows: a frame of a run, or the surface at that frame.
 struct Input {
   fs::path file;
-  fs::path results;  ///< of the run; bake-render reads its history
+  fs::path results;  ///< folder of the run, whose history bake-render reads
 };
 
 Input input_of(const FigurePaths& paths, const std::string& name, std::optional<double> time_s) {

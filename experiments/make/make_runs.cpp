@@ -26,7 +26,7 @@ std::vector<std::string> mesh_arguments(const FigurePaths& paths, const FigureRu
   return words;
 }
 
-/// A run stands and falls with its mesh: if the mesh comes out different, the run is none any more.
+/// Puts the new mesh in place. If it differs from the old one, the results that were made from the old one become invalid.
 void replace_mesh(const fs::path& made, const fs::path& mesh) {
   const bool same = fs::exists(mesh) && read_text_file(made) == read_text_file(mesh);
   if (!same) fs::remove(mesh.parent_path() / "run.json");
@@ -55,16 +55,17 @@ void use_mesh(Scene& scene, const fs::path& mesh) {
 
 void make_run(const FigurePaths& paths, const FigureRun& run) {
   Scene scene = scene_of(paths, run);
-  scene.file = fs::absolute(scene.file);  // a mesh is named from here
+  scene.file = fs::absolute(scene.file);  // the mesh's path is relative to the working folder
   if (run.mesh) use_mesh(scene, make_mesh(paths, run, scene));
+  for (const std::string& notice : scene.notices) say(paths.options, notice);
   RunOptions options;
   options.out = paths.run(run.name);
   options.threads = paths.options.threads;
   options.quiet = paths.options.quiet;
   const KeptRun kept = kept_run(scene, options.out);
   say(paths.options, fmt::format("run {}: {}", run.name,
-                                 kept == KeptRun::finished     ? "is there"
-                                 : kept == KeptRun::unfinished ? "goes on from its checkpoint"
+                                 kept == KeptRun::finished     ? "is finished already"
+                                 : kept == KeptRun::unfinished ? "resumes from its checkpoint"
                                                                : "begins"));
   complete_run(scene, options, kept);
 }

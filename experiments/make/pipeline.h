@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The steps from a figure.toml to a checked figure, in their order. Each makes only what is missing or out of date.
-// All throw InputError (bad input, a program is missing), RunError (a run or program failed or was interrupted) and OutputError.
+// The stages from a figure.toml to a checked figure, in their order. Each stage makes only what is missing or out of date.
+// All throw InputError (bad input, or a program is missing), RunError (a run or program failed or was interrupted) and OutputError.
 #pragma once
 
 #include "experiments/make/computed.h"
@@ -8,19 +8,19 @@
 
 namespace bake {
 
-/// Simulates the runs, with meshes of tetrahedra where they are asked for.
+/// Simulates the runs, from meshes of tetrahedra where the figure asks for them.
 void make_runs(const FigurePaths& paths);
-/// Fracture surfaces, into <item>/<surface>/.
+/// Makes fracture surfaces in <item>/<surface>/.
 void make_surfaces(const FigurePaths& paths);
-/// Pictures, into <item>/<picture>.png.
+/// Makes pictures: <item>/<picture>.png.
 void make_pictures(const FigurePaths& paths);
-/// Charts, into <item>/<chart>.svg, .pdf and .csv.
+/// Makes charts: <item>/<chart>.svg, .pdf and .csv.
 void make_charts(const FigurePaths& paths, const Computed& computed);
-/// Tables that the item's own function computes, into <item>/<table>.csv and .md.
+/// Writes the tables that the item's function computes: <item>/<table>.csv and .md.
 void write_tables(const FigurePaths& paths, const Computed& computed);
 /// Measures every claim.
 std::vector<ClaimVerdict> check_claims(const FigurePaths& paths, const Computed& computed);
-/// <item>/claims.json: verdicts, and what the report needs to know of runs, pictures and charts.
+/// Writes <item>/claims.json: the verdicts, and what the report needs of runs, pictures and charts.
 void write_claims(const FigurePaths& paths, const Computed& computed, const std::vector<ClaimVerdict>& verdicts);
 
 }  // namespace bake

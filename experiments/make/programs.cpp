@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The last line that says something, without what the terminal was told to do before it.
+/// The last line that is not empty, without terminal control sequences.
 std::string last_line(const fs::path& file) {
   std::ifstream in(file);
   std::string line, last;
@@ -45,10 +45,10 @@ void call_program(const std::string& name, const std::vector<std::string>& argum
   if (start_error != 0) throw InputError(fmt::format("{}: cannot be started: {}", program.string(), std::strerror(start_error)));
   if (code == 0) return;
   std::string line = last_line(log);
-  for (const auto& own : {name + ": ", std::string("bake: ")})  // its own name is in front of ours anyway
+  for (const auto& own : {name + ": ", std::string("bake: ")})  // the message names the program already
     if (line.starts_with(own)) line.erase(0, own.size());
   if (code == 2) throw InputError(fmt::format("{}: {}", name, line));
-  throw RunError(fmt::format("{}: exit {}: {} (log: {})", name, code, line.empty() ? "it says nothing" : line, log.string()));
+  throw RunError(fmt::format("{}: exit {}: {} (log: {})", name, code, line.empty() ? "no message" : line, log.string()));
 }
 
 }  // namespace bake

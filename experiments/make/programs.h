@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The other programs of the house, bake-mesh and bake-render: found beside this one and called.
+// Finds the other programs, bake-mesh and bake-render, beside this one and runs them.
 #pragma once
 
 #include <filesystem>
@@ -8,11 +8,11 @@
 
 namespace bake {
 
-/// Where a program of the house is. Throws InputError, saying how it is built, if it is not there.
+/// The path of bake-mesh or bake-render. If it is missing, throws InputError that tells how to build it.
 std::filesystem::path find_program(const std::string& name);
 
-/// Runs it and waits; what it prints goes to `log`. Throws InputError with its last line if it ends with exit code 2 (bad input), RunError
-/// with that line if it fails in another way.
+/// Runs the program and waits; its output goes to `log`. If its exit code is 2 (bad input), throws InputError with its last line; if it
+/// fails in another way, throws RunError with that line.
 void call_program(const std::string& name, const std::vector<std::string>& arguments, const std::filesystem::path& log);
 
 }  // namespace bake

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers that the paper publishes: reference/published/*.toml.
+// Reads the numbers that the paper publishes: reference/published/*.toml.
 #pragma once
 
 #include <filesystem>

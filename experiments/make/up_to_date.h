@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that are made from others are made once: what each was made from stands beside it.
+// Avoids making files again: beside each file that was made from others, a record tells from what.
 #pragma once
 
 #include <filesystem>
@@ -7,12 +7,12 @@
 
 namespace bake {
 
-/// Is `output` there, and was it made from exactly this?
+/// Whether `output` exists and was made from exactly these sources.
 bool is_up_to_date(const std::filesystem::path& output, const nlohmann::json& from);
-/// Notes in <output>.from.json what it was made from.
+/// Records in <output>.from.json from what `output` was made.
 void record_sources(const std::filesystem::path& output, const nlohmann::json& from);
 
-/// What tells a file from another of the same name, without reading all of it: size and time of its last change.
+/// Identifies the present version of a file without reading it: its size and the time of its last change.
 nlohmann::json stamp(const std::filesystem::path& file);
 
 }  // namespace bake

@@ -85,7 +85,7 @@ Html table(const std::vector<std::string>& header, const std::vector<std::vector
     body += element("tr", {cells}).code;
   }
   code += element("tbody", {body}).code;
-  constexpr std::size_t k_narrow = 4;  // columns that a phone has room for
+  constexpr std::size_t k_narrow = 4;  // the columns that fit on a phone
   return element("div", element("table", {code}),
                  header.size() > k_narrow ? "class=\"wide cards\" tabindex=\"0\"" : "class=\"wide\" tabindex=\"0\"");
 }

@@ -9,28 +9,28 @@
 
 namespace bake::report {
 
-/// HTML that is complete: what makes one of these has escaped its texts.
+/// A complete piece of HTML, whose texts have been escaped.
 struct Html {
   std::string code;
 };
 
-/// Text as it is to be read: & < > " ' escaped, control characters left out.
+/// Makes HTML of plain text: escapes & < > " ' and omits control characters.
 Html text(std::string_view words);
-/// The parts, one after the other.
+/// Concatenates the parts.
 Html join(const std::vector<Html>& parts);
-/// <name attributes>inside</name>; `attributes` is code of ours, such as class="note".
+/// <name attributes>inside</name>; `attributes` is not escaped, so it must come from our own code, such as class="note".
 Html element(std::string_view name, const Html& inside, std::string_view attributes = "");
-/// Markdown's `code` becomes <code>, the rest is text.
+/// Makes HTML of text in which Markdown's `code` becomes <code>.
 Html text_with_code(std::string_view words);
 
-/// Columns with a heading row. On a narrow page it scrolls by itself, or with many columns has a card in place of each row. `caption` may
-/// be empty.
+/// A table with a heading row. On a narrow page it scrolls sideways or, with many columns, shows a card for each row. `caption` may be
+/// empty.
 Html table(const std::vector<std::string>& header, const std::vector<std::vector<Html>>& rows, std::string_view caption = "");
 
 /// An embedded picture (.png or .svg) with its alternative text. Throws InputError if the file cannot be read.
 Html picture(const std::filesystem::path& file, std::string_view alternative);
 
-/// Three to five digits, as people read them: "0.0231", "1.2e-07", "620 000" for whole numbers.
+/// A number with three to five digits for people: "0.0231", "1.2e-07", "620 000" for whole numbers.
 std::string number(double value);
 
 }  // namespace bake::report

@@ -13,7 +13,7 @@ using nlohmann::json;
 
 double number_in(const json& value) { return value.is_number() ? value.get<double>() : std::nan(""); }
 
-/// "volume gain", of which run, and what that is.
+/// What a claim measures ("volume gain"), of which run, and what that means.
 Html what_was_measured(const json& claim) {
   std::string name = claim.at("metric");
   std::replace(name.begin(), name.end(), '_', ' ');

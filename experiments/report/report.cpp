@@ -19,13 +19,13 @@ ReportedItem reported(const Item& item, Quality quality) {
   return {&item, folder, item.status == ItemStatus::done ? read_json(folder / "claims.json") : std::nullopt};
 }
 
-int& count_of(Report& report, ItemVerdict verdict) {
+int& count_of(ReportPage& report, ItemVerdict verdict) {
   if (verdict == ItemVerdict::reproduced) return report.reproduced;
   if (verdict == ItemVerdict::not_reproduced) return report.not_reproduced;
   return verdict == ItemVerdict::not_run ? report.not_run : report.not_there_yet;
 }
 
-Html counts(const Report& report) {
+Html counts(const ReportPage& report) {
   const auto one = [](ItemVerdict verdict, int count) {
     return element("li", join({element("strong", text(std::to_string(count))), text(" "), badge(verdict)}));
   };
@@ -35,7 +35,7 @@ Html counts(const Report& report) {
                  "class=\"counts\"");
 }
 
-Html overview(const std::vector<ReportedItem>& items, const Report& report) {
+Html overview(const std::vector<ReportedItem>& items, const ReportPage& report) {
   std::vector<std::vector<Html>> rows;
   rows.reserve(items.size());
   for (const ReportedItem& one : items)
@@ -50,16 +50,18 @@ Html heading(Quality quality) {
   const std::string date = made["date"], commit = made["program"]["commit"], cpu = made["machine"]["cpu"], os = made["machine"]["os"];
   return element(
       "header",
-      join({element("h1", text("Baking and cooking, reproduced")),
-            element("p",
-                    join({text("What Bake, an open implementation of M. Ding, X. Han, S. Wang, T. F. Gast and J. M. Teran, "),
-                          element("cite", text("A thermomechanical material point method for baking and cooking")),
-                          text(" (ACM Transactions on Graphics 38 (6), 2019), reproduces of the paper: each of its figures and tables with "
-                               "what the paper claims, what was measured, and the verdict.")})),
-            element("p",
-                    text(fmt::format("Quality {}; written {} by commit {} on {}, {} threads, {}.", word_of(quality), date.substr(0, 10),
-                                     commit.substr(0, 10), cpu, made["machine"]["logical_cores"].get<int>(), os)),
-                    "class=\"soft\"")}));
+      join(
+          {element("h1", text("Baking and cooking, reproduced")),
+           element(
+               "p",
+               join({text("This page shows how far Bake, an open implementation of M. Ding, X. Han, S. Wang, T. F. Gast and J. M. Teran, "),
+                     element("cite", text("A thermomechanical material point method for baking and cooking")),
+                     text(" (ACM Transactions on Graphics 38 (6), 2019), reproduces the paper: each of its figures and tables with "
+                          "what the paper claims, what was measured, and the verdict.")})),
+           element("p",
+                   text(fmt::format("Quality {}; written {} by commit {} on {}, {} threads, {}.", word_of(quality), date.substr(0, 10),
+                                    commit.substr(0, 10), cpu, made["machine"]["logical_cores"].get<int>(), os)),
+                   "class=\"soft\"")}));
 }
 
 Html page(const std::vector<Html>& main) {
@@ -76,7 +78,7 @@ Html page(const std::vector<Html>& main) {
   return {"<!DOCTYPE html>\n" + element("html", join({element("head", head), element("body", body)}), "lang=\"en\"").code};
 }
 
-/// A file that is JSON but not what bake wrote is bad input, too.
+/// Turns errors about JSON that bake did not write into InputError.
 Html section_of(const ReportedItem& item) {
   try {
     return item_section(item);
@@ -87,8 +89,8 @@ Html section_of(const ReportedItem& item) {
 
 }  // namespace
 
-Report make_report(const Items& items, Quality quality) {
-  Report report;
+ReportPage make_report(const Items& items, Quality quality) {
+  ReportPage report;
   std::vector<ReportedItem> all, missing;
   std::vector<Html> sections;
   for (const Item& item : items.items) {

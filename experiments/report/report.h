@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The report: one page that holds everything that was claimed and measured, with pictures, to be opened without a network.
+// The report: one page with all claims, measurements and pictures. It can be opened without a network.
 #pragma once
 
 #include <filesystem>
@@ -9,14 +9,14 @@
 
 namespace bake::report {
 
-/// What came of the items at one quality: the page, and how many of each verdict.
-struct Report {
+/// The page for one quality, and how many items have each verdict.
+struct ReportPage {
   std::string page;
   int reproduced = 0, not_reproduced = 0, not_run = 0, not_there_yet = 0;
 };
 
-/// From results/items/<item>-<quality>/ in the working folder and the tables of studies in <root>/paper. Throws InputError for a damaged
-/// file.
-Report make_report(const Items& items, Quality quality);
+/// Makes the page from results/items/<item>-<quality>/ in the working folder and from the tables of studies in <root>/paper. Throws
+/// InputError if a file is damaged.
+ReportPage make_report(const Items& items, Quality quality);
 
 }  // namespace bake::report

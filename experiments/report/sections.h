@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of the page.
+// The sections of the report page.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@ namespace bake::report {
 
 enum class ItemVerdict { reproduced, not_reproduced, not_run, not_there_yet };
 
-/// An item with its claims.json, if it was made.
+/// An item, and its claims.json if the item was made.
 struct ReportedItem {
   const Item* item;
   std::filesystem::path folder;
@@ -22,25 +22,25 @@ struct ReportedItem {
 };
 
 Html badge(ItemVerdict verdict);
-/// Of a claim or a band.
+/// The badge of a claim or band: whether it holds.
 Html badge(bool holds);
 
-/// The item's place on the page: "figure-15".
+/// The anchor of the item on the page: "figure-15".
 std::string anchor(const Item& item);
 
-/// Pictures, charts, claims and runs of an item that is done, or how it is made.
+/// The pictures, charts, claims and runs of an item that was made; else the command that makes it.
 Html item_section(const ReportedItem& reported);
-/// The items that are not there yet, with what must be measured; nothing if there are none.
+/// The items that do not exist yet, and what must be measured for them; empty if there are none.
 Html missing_section(const std::vector<ReportedItem>& missing);
 
-/// The tables of studies that stand in <root>/paper, those that are there.
+/// The tables of those studies whose results are in <root>/paper.
 Html orders_section(const std::filesystem::path& root);
 Html departures_section(const std::filesystem::path& root);
 Html stability_section(const std::filesystem::path& root);
 Html effects_section(const std::filesystem::path& root);
 Html accuracy_section(const std::filesystem::path& root);
 
-/// A file of JSON; nothing if it is not there. Throws InputError if it is damaged.
+/// Reads a JSON file; nothing if it does not exist. Throws InputError if it is damaged.
 std::optional<nlohmann::json> read_json(const std::filesystem::path& file);
 
 }  // namespace bake::report

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the studies have stored in paper/*.json, as tables.
+// Tables of the results that the studies have stored in paper/*.json.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -29,7 +29,7 @@ Html study_section(const char* id, const char* title, const char* words, const j
                  fmt::format("id=\"{}\"", id));
 }
 
-/// The largest step found over the rule's, of the knob values of one map.
+/// The largest stable step divided by that of the time-step rule, over the points of one map.
 struct Edges {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   int count = 0;

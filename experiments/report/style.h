@@ -3,7 +3,7 @@
 
 namespace bake::report {
 
-/// The page's style sheet: light and dark, wide and narrow, screen and paper. Nothing is loaded from anywhere.
+/// The style sheet of the page, for light and dark, wide and narrow screens and for paper. It loads nothing.
 extern const char* const k_style;
 
 }  // namespace bake::report

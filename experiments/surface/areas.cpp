@@ -45,7 +45,7 @@ double area_found(const Body& body, const char* form, double particles_per_cell,
   setting.material = "specific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 0\n";
   setting.tables = fmt::format(R"(
 [oven]
-exchange_W_per_m2K = 1
+heat_transfer_coefficient_W_per_m2K = 1
 [[body]]
 material = "dough"
 particles_per_cell = {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands of the `bake-mesh` program. Each adds itself to the command line and, if it is the one that was asked for, leaves in
-// `action` what is to be done.
+// The commands of the `bake-mesh` program. Each function adds a command to the command line. The command that the user requests sets
+// `action`, which does the work.
 #pragma once
 
 #include "solver/program/program.h"

@@ -13,20 +13,17 @@ namespace bake::cli {
 
 void add_fracture_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<FractureOptions>();
-  CLI::App& command = *app.add_subcommand("fracture", "Make the surfaces of the pieces that a run has broken a mesh into");
+  CLI::App& command = *app.add_subcommand("fracture", "Make the surfaces of the pieces into which a mesh broke during a run");
   command.add_option("mesh", options->mesh, "tetrahedra that `bake-mesh tets` made and the run started from")->required();
   command.add_option("results", options->results, "folder of the finished run")->required();
   command.add_option("--out", options->out, "folder for NNNN.hdf (surfaces) and fracture.json")->required()->type_name("DIR");
   command
       .add_option("--reference-time", options->reference_time_s,
-                  "simulated time whose lengths of edges count as unstretched: the end of baking for a loaf that is torn [0]")
+                  "simulated time at which edges have their unstretched length: for a loaf that is torn, the end of baking [0]")
       ->type_name("SECONDS");
-  auto* frames = command.add_option("--frames", options->frames, "frames that are wanted, with commas between [the last]");
+  auto* frames = command.add_option("--frames", options->frames, "which frames, separated by commas [the last]");
   frames->type_name("N,N,...")->delimiter(',')->check(CLI::Range(0, 1'000'000'000));
-  command.add_option("--every", options->every, "every N-th frame is wanted")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1'000'000'000))
-      ->excludes(frames);
+  command.add_option("--every", options->every, "every N-th frame")->type_name("N")->check(CLI::Range(1, 1'000'000'000))->excludes(frames);
   command.add_option("--stretch", options->stretch, "an edge breaks beyond this many times its unstretched length, and ... [2]")
       ->type_name("S")
       ->check(CLI::Range(1.0, 1e6));
@@ -34,7 +31,7 @@ void add_fracture_command(CLI::App& app, Action& action) {
       .add_option("--smallest-gap", options->smallest_gap_m, "... beyond this length, both in two frames that follow each other [1.5 dx]")
       ->type_name("METRES")
       ->check(CLI::Range(0.0, 1e6));
-  command.add_option("--first-particle", options->first_particle, "number of the particle that is vertex 0 [0]")
+  command.add_option("--first-particle", options->first_particle, "identity of the particle that is vertex 0 [0]")
       ->type_name("N")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40));
   command.callback([options, &action] {

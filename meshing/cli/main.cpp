@@ -4,7 +4,7 @@
 
 int main(int count, char** words) {
   using namespace bake::cli;
-  CLI::App app("Makes meshes for Bake: tetrahedra whose vertices are particles, skins, and the surfaces of what has broken.", "bake-mesh");
+  CLI::App app("Makes meshes for Bake: tetrahedra whose vertices are particles, skins, and the surfaces of broken pieces.", "bake-mesh");
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.require_subcommand(1);
   Action action;

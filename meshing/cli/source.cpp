@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "solver/program/scene_files.h"
-#include "solver/scene/reader.h"
 
 namespace bake::cli {
 
@@ -27,7 +26,7 @@ Source find_source(const SourceArguments& arguments) {
   if (file.has_extension() && file.extension() != ".toml")
     throw InputError(
         fmt::format("{}: found {}, allowed: a scene (.toml), or .stl, .obj, .ply, .off", arguments.name, file.extension().string()));
-  const Scene scene = read_scene(find_scene(arguments.name), {arguments.quality, arguments.overrides});
+  const Scene scene = open_scene(arguments.name, {arguments.quality, arguments.overrides});
   const int bodies = static_cast<int>(scene.bodies.size());
   if (arguments.body >= bodies) throw InputError(fmt::format("--body: found {}, the scene has {}, counted from 0", arguments.body, bodies));
   const Body& body = scene.bodies[arguments.body];

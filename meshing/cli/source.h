@@ -9,7 +9,7 @@
 
 namespace bake::cli {
 
-/// What is to be meshed, as the user names it: a body of a scene, or a closed surface.
+/// What the user wants to mesh: a body of a scene, or a closed surface.
 struct SourceArguments {
   std::string name;
   Quality quality = Quality::draft;
@@ -21,11 +21,11 @@ struct SourceArguments {
 
 struct Source {
   ShapePtr solid;
-  std::optional<TriangleMesh> surface;  ///< if it was a file of triangles
-  double particle_spacing_m = 0;        ///< of the scene at this quality; 0 for a file of triangles
+  std::optional<TriangleMesh> surface;  ///< only if the source is a file of triangles
+  double particle_spacing_m = 0;        ///< distance of the scene's particles at this quality; 0 for a file of triangles
 };
 
-/// Throws InputError: unknown scene or kind of file, a mistake in it, no such body, a body without a shape.
+/// Throws InputError if the scene or kind of file is unknown, the file has a mistake, or the body does not exist or has no shape.
 Source find_source(const SourceArguments& arguments);
 
 }  // namespace bake::cli

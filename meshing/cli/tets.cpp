@@ -44,7 +44,7 @@ int tets(const TetsArguments& arguments) {
   meter.phase(fmt::format("looking at {} tetrahedra", mesh.tets.size()));
   const TetQuality quality = tet_quality(mesh);
   if (quality.odd_edges > 0)
-    throw std::runtime_error(fmt::format("the mesh has {} edges where its surface is not closed: nothing is written", quality.odd_edges));
+    throw std::runtime_error(fmt::format("the surface of the mesh is not closed at {} edges: nothing is written", quality.odd_edges));
   meter.clear();
   write_mesh(arguments.out, to_particles_mesh(mesh));
   fmt::print("{}: {} vertices ({} of them on the surface), {} tetrahedra, {:.6g} m^3, volumes of inner vertices spread by {:.1f} %\n",
@@ -59,7 +59,9 @@ void add_tets_command(CLI::App& app, Action& action) {
   CLI::App& command = *app.add_subcommand("tets", "Fill a body with tetrahedra; their vertices serve as its particles");
   arguments->source.add_to(command);
   command.add_option("--out", arguments->out, "file of the mesh, .hdf; a scene takes it as particles_file")->required()->type_name("FILE");
-  command.add_option("--vertices", arguments->vertices, "how many vertices, to 2 % [as many as the scene has particles at its quality]")
+  command
+      .add_option("--vertices", arguments->vertices,
+                  "number of vertices, exact to 2 % [the number of the scene's particles at its quality]")
       ->type_name("N")
       ->check(CLI::Range(4, 100'000'000));
   command

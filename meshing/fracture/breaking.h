@@ -9,24 +9,25 @@
 namespace bake {
 
 /// When an edge between two particles counts as broken. [Wang et al. 2019, "Simulation and visualization of ductile fracture with the
-/// material point method", leave the threshold open]
+/// material point method", do not give a threshold]
 struct BreakingRule {
-  /// Length over its length at the reference time. Dough that rises to three times its volume stretches by 3^(1/3) = 1.44, and unevenly.
+  /// The length divided by that at the reference time. Dough that rises to three times its volume stretches by 3^(1/3) = 1.44, and
+  /// unevenly.
   double stretch = 2;
-  /// Length [m]. Particles share nodes of a quadratic spline until they are three nodes apart; half of that is where they hardly
-  /// move each other any more.
+  /// Length [m]. Particles share nodes of a quadratic spline until they are three nodes apart; at half
+  /// of that distance they hardly move each other any more.
   double smallest_gap_m = 0;
 };
 
-/// Follows the edges of a mesh over the frames of a run. An edge breaks if both bounds are exceeded in two frames that follow each other,
-/// and never heals.
+/// Follows the edges of a mesh over the frames of a run. An edge breaks if it exceeds both bounds in two consecutive frames. It never
+/// heals.
 class Breaking {
  public:
   /// `reference`: positions of the vertices at the reference time.
   Breaking(const Topology& topology, const std::vector<Point>& reference, const BreakingRule& rule);
-  /// To be called for every frame in order.
+  /// Call it for every frame in order.
   void advance(int frame, const std::vector<Point>& positions);
-  /// For each edge the frame at which it broke; -1 if it is whole.
+  /// For each edge the frame in which it broke; -1 if it is whole.
   const std::vector<std::int32_t>& broken_at() const { return broken_at_; }
 
  private:

@@ -17,7 +17,7 @@ std::int32_t an_owner(const CutNode& node) {
   return node.vertices[i];
 }
 
-/// Nodes of one place on all sides are one; sorted by vertices first, they follow each other.
+/// Gives nodes at one place on different sides the same number; since nodes are sorted by vertices first, they are neighbours.
 std::vector<std::int32_t> first_of_place(const CutSurface& surface) {
   std::vector<std::int32_t> first(surface.nodes.size());
   for (std::size_t n = 0; n < first.size(); ++n)
@@ -49,10 +49,10 @@ double extent(const CrackSums& sums, const CutSurface& surface, const std::vecto
 void add(CrackSums& sums, const Point& a, const Point& b, const Point& c) {
   Crack& crack = sums.crack;
   if (crack.area_m2 == 0 && sums.triangles.empty()) crack.low_m = crack.high_m = a;
-  const double area = 0.25 * length(cross(b - a, c - a));  // both sides come by: half of each
+  const double area = 0.25 * length(cross(b - a, c - a));  // half, because both sides are visited
   crack.area_m2 += area;
   for (const Point& x : {a, b, c}) {
-    crack.centre_m = crack.centre_m + area / 3 * x;  // divided by the area in the end
+    crack.centre_m = crack.centre_m + area / 3 * x;  // later divided by the area
     const Eigen::Vector3d y(x[0], x[1], x[2]);
     sums.second += area / 3 * y * y.transpose();
     for (int i = 0; i < 3; ++i) {
@@ -90,7 +90,7 @@ std::vector<Piece> take_census(const CutSurface& surface, const std::vector<std:
   std::vector<Piece> result(piece_of.empty() ? 0 : 1 + *std::max_element(piece_of.begin(), piece_of.end()));
   for (const std::int32_t piece : piece_of) ++result[piece].vertices;
 
-  // Volumes are measured from a point of the piece itself: little cancels.
+  // Volumes are measured from a point of the piece, so that little cancels.
   std::vector<const Point*> origin(result.size(), nullptr);
   std::vector<std::array<std::int32_t, 2>> edges, opposite;
   for (const Triangle& t : surface.triangles) {

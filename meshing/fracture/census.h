@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What there is to say of a cut surface: its cracks, its pieces, whether they are closed.
+// Describes a cut surface: its cracks, its pieces, and whether they are closed.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace bake {
 
-/// Crack surface that hangs together, in the reference mesh; one of its two sides is counted.
+/// A connected crack, measured in the reference mesh; only one of its two sides counts.
 struct Crack {
   double area_m2 = 0;
   double length_m = 0;  ///< extent along the direction in which it is longest
@@ -22,7 +22,7 @@ std::vector<Crack> cracks(const CutSurface& surface, const std::vector<Point>& p
 struct Piece {
   std::size_t vertices = 0;
   double volume_m3 = 0;  ///< enclosed
-  bool closed = true;    ///< every edge of a triangle has its opposite
+  bool closed = true;    ///< every edge of a triangle has its opposite edge
 };
 
 /// `piece_of`: for each vertex of the mesh the number of its piece; `points`: of the nodes.

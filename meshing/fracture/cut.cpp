@@ -6,7 +6,7 @@
 namespace bake {
 namespace {
 
-/// For each corner of a tetrahedron the smallest corner that it is connected with.
+/// For each corner of a tetrahedron the smallest corner to which it is connected.
 using Sides = std::array<std::int8_t, 4>;
 
 /// Corners connected by whole edges, for each of the 64 sets of broken ones (bit e: edge e of k_tet_edges).
@@ -64,7 +64,7 @@ class Cutter {
     return side[f[0]] != side[f[1]] || side[f[0]] != side[f[2]];
   }
 
-  /// The midpoints of the edges of split boundary faces are vertices of the faces beside them, too.
+  /// Marks the midpoints of the edges of split boundary faces: they are also vertices of the faces beside them.
   void mark_split_boundary() {
     active_.assign(broken_at_.size(), 0);
     for (const auto& [t, opposite] : topology_.boundary) {
@@ -94,7 +94,7 @@ class Cutter {
   CutNode vertex(std::int32_t t, int a) const {
     return node(t, {a}, [](int) { return true; });
   }
-  /// The midpoint of edge ab on the side of a: both sides are one if any tetrahedron connects them.
+  /// The midpoint of edge ab on the side of a. Both sides share one node if any tetrahedron connects them.
   CutNode midpoint(std::int32_t t, int a, int b) const {
     const std::int32_t e = edge(t, a, b);
     const bool whole = broken_at_[e] < 0 || joined_[e];
@@ -104,7 +104,7 @@ class Cutter {
     return node(t, {0, 1, 2, 3}, [&](int c) { return side[c] == side[a]; });
   }
 
-  /// The centroid of face abc on the side of a: sides that either of its two tetrahedra connects are one.
+  /// The centroid of face abc on the side of a. Sides that either of its two tetrahedra connects share one node.
   CutNode face_centre(std::int32_t t, const Sides& side, int a, int b, int c) const {
     const int opposite = 6 - a - b - c;
     const std::int32_t other = topology_.neighbours[t][opposite];
@@ -136,7 +136,7 @@ class Cutter {
     }
   }
 
-  /// A boundary face that is whole, with the midpoints that faces beside it need.
+  /// Adds a whole boundary face with the midpoints that the faces beside it need.
   void add_polygon(std::int32_t t, const std::array<int, 3>& f) {
     std::array<bool, 3> has;  // a midpoint on the edge from f[i] to f[i + 1]
     for (int i = 0; i < 3; ++i) has[i] = active_[edge(t, f[i], f[(i + 1) % 3])];
@@ -161,7 +161,7 @@ class Cutter {
     add_triangle(mid(i), vertex(t, c), vertex(t, a));
   }
 
-  /// Both sides of the quadrilaterals between corners that are parted, split along the same diagonal.
+  /// Adds both sides of the quadrilaterals between separated corners, split along the same diagonal.
   void add_cracks(std::int32_t t) {
     const Sides side = sides(t);
     for (const auto& [a, b, c, d] : k_tet_edges) {

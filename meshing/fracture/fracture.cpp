@@ -75,7 +75,7 @@ double volume_of(const TetMesh& mesh) {
                          [&](double sum, const Tet& tet) { return sum + tet_volume(mesh.points, tet); });
 }
 
-/// One surface as it is written, and what is said of it.
+/// One surface as it is written, and its description.
 class Surface {
  public:
   Surface(const Topology& topology, const RunFrames& run, int frame, const std::vector<std::int32_t>& broken_at, int passes)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the frames of a run to the surfaces of its pieces.
+// Makes the surfaces of the pieces from the frames of a run.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ struct FractureOptions {
   std::filesystem::path results;  ///< folder of the run
   std::filesystem::path out;      ///< folder of the surfaces
   double reference_time_s = 0;    ///< lengths of edges are compared with those of the frame nearest to this time
-  std::vector<int> frames;        ///< which frames are wanted; empty: every `every`-th, or the last
+  std::vector<int> frames;        ///< the frames to make; empty: every `every`-th, or the last
   int every = 0;
   double stretch = BreakingRule{}.stretch;
   std::optional<double> smallest_gap_m;  ///< default: k_smallest_gap node distances of the run
@@ -29,8 +29,8 @@ struct FractureOptions {
 inline constexpr double k_smallest_gap = 1.5;
 
 /// Writes <out>/NNNN.hdf for each wanted frame, a surface with the run's fields, `piece`, `crack` and `depth`, and <out>/fracture.json.
-/// In there, volume_m3 is what all pieces enclose as they are in that frame, cut_volume_m3 what they enclose in the reference mesh.
-/// `tell` gets a line after each surface, `progress` the share that is done before each frame that is read.
+/// There, volume_m3 is the volume of all pieces in that frame, cut_volume_m3 that of the same pieces in the reference mesh.
+/// `tell` is called with a line after each surface, `progress` with the share that is done before each frame.
 /// Throws InputError (mesh, run, frames that do not exist) and OutputError.
 void write_fracture(
     const FractureOptions& options, const std::function<void(const std::string&)>& tell,

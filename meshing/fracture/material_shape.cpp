@@ -10,11 +10,11 @@
 namespace bake {
 namespace {
 
-using Places = std::vector<std::int32_t>;  ///< for each node the number of its place: nodes on several sides share one
+using PointNumbers = std::vector<std::int32_t>;  ///< for each node the number of its point: nodes on several sides share one
 
-/// Nodes are sorted by their vertices first: those of one place follow each other.
-Places places_of(const CutSurface& surface, std::size_t& count) {
-  Places places(surface.nodes.size());
+/// Numbers the points. Nodes are sorted by their vertices first, so that those of one point follow each other.
+PointNumbers places_of(const CutSurface& surface, std::size_t& count) {
+  PointNumbers places(surface.nodes.size());
   count = 0;
   for (std::size_t n = 0; n < places.size(); ++n) {
     if (n == 0 || surface.nodes[n].vertices != surface.nodes[n - 1].vertices) ++count;
@@ -23,13 +23,13 @@ Places places_of(const CutSurface& surface, std::size_t& count) {
   return places;
 }
 
-/// Neighbours in cracks of each place, as one list with starts.
+/// The neighbours of each point in cracks, as one list and the start of each point's part.
 struct Neighbours {
   std::vector<std::int64_t> starts;
   std::vector<std::int32_t> list;
 };
 
-Neighbours crack_neighbours(const CutSurface& surface, const Places& places, std::size_t count) {
+Neighbours crack_neighbours(const CutSurface& surface, const PointNumbers& places, std::size_t count) {
   std::vector<char> on_skin(count, 0);
   for (std::size_t t = 0; t < surface.skin_triangles; ++t)
     for (const std::int32_t n : surface.triangles[t]) on_skin[places[n]] = 1;
@@ -91,7 +91,7 @@ Point at_shares(const std::vector<Point>& points, const CutNode& node, const std
 
 MaterialShape material_shape(const Topology& topology, const CutSurface& surface, int passes) {
   std::size_t count = 0;
-  const Places places = places_of(surface, count);
+  const PointNumbers places = places_of(surface, count);
   std::vector<const CutNode*> node_at(count);
   for (std::size_t n = 0; n < places.size(); ++n) node_at[places[n]] = &surface.nodes[n];
   const std::vector<Point>& vertices = topology.mesh.points;

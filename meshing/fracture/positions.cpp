@@ -26,13 +26,13 @@ Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& a) {
 Eigen::Matrix3d best_map(const EdgeSums& sums) {
   constexpr double k_worst_condition = 1e3, k_least_stretch = 0.4, k_largest_stretch = 2.5;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spread(sums.b);
-  if (!(spread.eigenvalues()[2] > 0)) return Eigen::Matrix3d::Identity();  // a particle all alone
+  if (!(spread.eigenvalues()[2] > 0)) return Eigen::Matrix3d::Identity();  // a particle without whole edges
   if (spread.eigenvalues()[0] * k_worst_condition > spread.eigenvalues()[2]) {
     const Eigen::Matrix3d map = sums.a * sums.b.inverse();
     const Eigen::Vector3d stretch = map.jacobiSvd().singularValues();
     if (stretch[2] > k_least_stretch && stretch[0] < k_largest_stretch && map.determinant() > 0) return map;
   }
-  // Where the edges leave a turn open, as about a single one, the part of the identity chooses the smallest.
+  // If the edges do not determine the rotation (about a single edge, for instance), the added identity chooses the smallest.
   return nearest_rotation(sums.a + 1e-6 * spread.eigenvalues()[2] * Eigen::Matrix3d::Identity());
 }
 

@@ -12,7 +12,7 @@ namespace bake {
 /// The frames of a finished run whose particles first, first + 1, ... are the vertices of a mesh.
 class RunFrames {
  public:
-  /// Throws InputError: no run, one that is not done, or one whose first frame does not have these vertices where they are.
+  /// Throws InputError if there is no finished run, or if the particles of its first frame are not at the vertices.
   RunFrames(const std::filesystem::path& results, const std::vector<Point>& vertices, std::int64_t first_particle);
 
   double dx_m() const { return dx_m_; }  ///< node distance of the run
@@ -20,7 +20,7 @@ class RunFrames {
   double time_s(int frame) const { return times_s_[frame]; }
   int nearest(double time_s) const;  ///< number of the frame nearest to a time
 
-  /// Reads a frame: positions and rows. Particles that have left the run stay where they were seen last.
+  /// Reads a frame: positions and rows. Particles that have left the run stay at their last position.
   void read(int frame);
   const std::vector<Point>& positions() const { return positions_; }
   /// A column of the frame read last, `components` numbers per vertex; empty if the run has none. Particles that have left: zero.

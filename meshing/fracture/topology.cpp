@@ -7,7 +7,7 @@
 namespace bake {
 namespace {
 
-/// One edge of one tetrahedron: its larger vertex, and 6 times the tetrahedron plus its number there.
+/// One edge of one tetrahedron: its larger vertex, and 6 times the tetrahedron's number plus the edge's number in it.
 struct EdgeEntry {
   std::int32_t larger;
   std::int64_t place;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reading a surface, and saying what is wrong with it.
+// Reads a surface and reports what is wrong with it.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
@@ -34,7 +34,7 @@ std::string ending(const std::filesystem::path& file) {
   return text;
 }
 
-/// Says what is wrong with a surface, once it has been read.
+/// Checks a surface that has been read, and reports what is wrong.
 class Examination {
  public:
   Examination(const std::filesystem::path& file, const TriangleMesh& mesh) : file_(file.string()), mesh_(mesh) {}
@@ -66,7 +66,7 @@ class Examination {
     }
   }
 
-  /// Every edge must be run through once in either direction.
+  /// Every edge must occur once in each direction.
   void check_edges() const {
     std::map<std::pair<std::int32_t, std::int32_t>, std::array<int, 2>> uses;
     for (const Triangle& t : mesh_.triangles)
@@ -83,7 +83,7 @@ class Examination {
     }
   }
 
-  /// The triangles at a vertex must hang together through edges.
+  /// The triangles at a vertex must be connected through edges.
   void check_vertices() const {
     std::vector<std::vector<std::int32_t>> around(mesh_.points.size());
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
@@ -141,7 +141,7 @@ TriangleMesh read_triangle_mesh(const std::filesystem::path& file) {
   bool is_read = false;
   try {
     is_read = CGAL::IO::read_polygon_soup(file.string(), points, faces, CGAL::parameters::verbose(false));
-  } catch (const std::exception&) {  // what CGAL's readers throw tells no more
+  } catch (const std::exception&) {  // the exceptions of CGAL's readers tell nothing more
   }
   if (!is_read && !(points.empty() && faces.empty()))
     throw InputError(

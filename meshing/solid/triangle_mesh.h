@@ -14,7 +14,7 @@ struct TriangleMesh {
   std::vector<Triangle> triangles;  ///< counter-clockwise from outside
 };
 
-/// Edges whose triangles' normals part by more than this are sharp [degree].
+/// An edge is sharp if the normals of its triangles differ by more than this [degree].
 inline constexpr double k_sharp_deg = 40;
 
 bool has_sharp_edges(const TriangleMesh& mesh);
@@ -23,12 +23,12 @@ bool has_sharp_edges(const TriangleMesh& mesh);
 double enclosed_volume(const TriangleMesh& mesh);
 double area(const TriangleMesh& mesh);
 
-/// Is this the name of a file that `read_triangle_mesh` can read?
+/// Whether `read_triangle_mesh` can read a file with this name.
 bool is_triangle_file(const std::filesystem::path& file);
 
 /// Reads STL, OBJ, PLY or OFF; faces with more corners are split into triangles. Throws InputError, one line with what is wrong and where:
-/// cannot be read, empty, a corner that is no vertex or not finite, a triangle without area, open, not manifold (at an edge, at a
-/// vertex), neighbours that turn different ways, inside out, self-intersecting.
+/// the file cannot be read or is empty, a corner is no vertex or not finite, a triangle has no area, neighbours are oriented differently,
+/// or the surface is open, not manifold (at an edge or a vertex), inside out or self-intersecting.
 TriangleMesh read_triangle_mesh(const std::filesystem::path& file);
 
 /// The solid inside the surface, as a signed distance.

@@ -7,8 +7,8 @@
 
 namespace bake {
 
-/// The Delaunay tetrahedra of points, all of positive volume by exact arithmetic, in an order that depends on the points alone.
-/// Of points at the same place all but one stay without tetrahedra. Fewer than four points, or all in a plane: none.
+/// The Delaunay tetrahedra of points. All have positive volume in exact arithmetic, and their order depends on the points alone.
+/// Of several points at the same position only one gets tetrahedra. Fewer than four points, or points in one plane, have none.
 std::vector<Tet> delaunay_tets(const std::vector<Point>& points);
 
 }  // namespace bake

@@ -11,9 +11,9 @@
 namespace bake {
 namespace {
 
-constexpr double k_pull = 0.1;         ///< to the first place, against the wish for even volumes
+constexpr double k_pull = 0.1;         ///< towards the first position, against the aim of even volumes
 constexpr double k_least_share = 0.5;  ///< of a tetrahedron's first volume
-constexpr int k_halvings = 4;          ///< of a step, before it is given up
+constexpr int k_halvings = 4;          ///< of a step before it is dropped
 
 /// The solution of a symmetric system by its cofactors: the same on every machine.
 Vector3 solve(const std::array<Vector3, 3>& a, const Vector3& b) {

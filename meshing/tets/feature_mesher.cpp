@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The only file that includes Mesh_3: it takes minutes to compile.
+// Only this file includes Mesh_3, which takes minutes to compile.
 #include "meshing/tets/feature_mesher.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -27,7 +27,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Polyhedron = CGAL::Mesh_polyhedron_3<Kernel>::type;
 using Domain = CGAL::Polyhedral_mesh_domain_with_features_3<Kernel>;
-// The data structure for several threads is three times as fast as the sequential one, with one thread, too.
+// The data structure for several threads is three times as fast as the sequential one even with one thread.
 using Triangulation = CGAL::Mesh_triangulation_3<Domain, CGAL::Default, CGAL::Parallel_tag>::type;
 using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::Corner_index, Domain::Curve_index>;
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;

@@ -25,15 +25,15 @@ Box3 finite_bounds(const Shape& solid) {
   return box;
 }
 
-/// Where a lattice point ended: what is sharper comes first.
-enum class Place : std::uint8_t { corner, crease, face, inside };
+/// The feature of the surface on which a lattice point lies; sharper ones come first.
+enum class Feature : std::uint8_t { corner, crease, face, inside };
 
 struct Sites {
   std::vector<Point> points;
-  std::vector<Place> places;
+  std::vector<Feature> places;
 };
 
-/// Drops points that are too near to one that comes before; cells of a hashed grid hold what has been accepted.
+/// Rejects points that are too near to an accepted one; the cells of a hashed grid hold the accepted points.
 class Spacing {
  public:
   explicit Spacing(double least) : least_(least) {}
@@ -76,7 +76,8 @@ void for_lattice_points(const Box3& box, double a, double margin, Visit visit) {
         }
 }
 
-/// The lattice of constant `a`, its outer points on the surface; sharp ones first, then those of faces, then those inside.
+/// The lattice of constant `a` with its outer points moved onto the surface. Points on sharp features come first, then those on faces, then
+/// those inside.
 Sites sites(const Shape& solid, const Box3& box, double a) {
   const double d = a * std::sqrt(3.0) / 2;  // distance of nearest neighbours
   Sites all;
@@ -85,7 +86,7 @@ Sites sites(const Shape& solid, const Box3& box, double a) {
     if (distance >= 0.5 * d) return;
     if (distance < -0.5 * d) {
       all.points.push_back(x);
-      all.places.push_back(Place::inside);
+      all.places.push_back(Feature::inside);
       return;
     }
     const auto foot = foot_on_surface(solid, x, 1e-6 * d, d);
@@ -93,14 +94,14 @@ Sites sites(const Shape& solid, const Box3& box, double a) {
     const Sharpest sharp = sharpest_near(solid, *foot, 0.6 * d);
     const bool snap = sharp.faces > 1 && length(sharp.at - *foot) < 0.6 * d;
     all.points.push_back(snap ? sharp.at : *foot);
-    all.places.push_back(!snap ? Place::face : sharp.faces > 2 ? Place::corner : Place::crease);
+    all.places.push_back(!snap ? Feature::face : sharp.faces > 2 ? Feature::corner : Feature::crease);
   });
   Sites kept;
   Spacing crowded(0.5 * d);
-  for (const Place place : {Place::corner, Place::crease, Place::face, Place::inside}) {
+  for (const Feature place : {Feature::corner, Feature::crease, Feature::face, Feature::inside}) {
     for (std::size_t i = 0; i < all.points.size(); ++i) {
-      if (all.places[i] != place || (place != Place::inside && !crowded.is_free(all.points[i]))) continue;
-      if (place == Place::corner || place == Place::crease) crowded.add(all.points[i]);
+      if (all.places[i] != place || (place != Feature::inside && !crowded.is_free(all.points[i]))) continue;
+      if (place == Feature::corner || place == Feature::crease) crowded.add(all.points[i]);
       kept.points.push_back(all.points[i]);
       kept.places.push_back(place);
     }
@@ -108,11 +109,11 @@ Sites sites(const Shape& solid, const Box3& box, double a) {
   return kept;
 }
 
-/// Is the Delaunay tetrahedron part of the solid? Those between four surface points lie in a curved or flat piece of it: they are let
-/// go if they have hardly any volume.
+/// Whether a Delaunay tetrahedron is part of the solid. One between four points of a curved or flat part of the surface is dropped if it
+/// has hardly any volume.
 bool is_inside(const Shape& solid, const Sites& sites, const Tet& tet, double vertex_volume) {
   constexpr double k_sliver = 0.02;
-  const auto on_surface = std::count_if(tet.begin(), tet.end(), [&](std::int32_t v) { return sites.places[v] != Place::inside; });
+  const auto on_surface = std::count_if(tet.begin(), tet.end(), [&](std::int32_t v) { return sites.places[v] != Feature::inside; });
   if (on_surface == 0) return true;
   if (on_surface == 4 && tet_volume(sites.points, tet) < k_sliver * vertex_volume) return false;
   const auto& x = sites.points;
@@ -128,7 +129,7 @@ TetMesh connect(const Shape& solid, const Sites& sites, double vertex_volume) {
 
 double miss(std::size_t found, double wanted) { return std::abs(static_cast<double>(found) / wanted - 1); }
 
-/// The lattice with about that many points; `a` is where to begin, and what was found.
+/// The lattice with about the given number of points; `a` is the first guess of its constant and returns the final one.
 Sites sites_of_count(const Shape& solid, const Box3& box, double wanted, double& a) {
   Sites found = sites(solid, box, a);
   for (int round = 0; round < 4 && miss(found.points.size(), wanted) > 0.004 && !found.points.empty(); ++round) {

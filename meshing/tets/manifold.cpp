@@ -47,7 +47,7 @@ class Repair {
     std::sort(edges_.begin(), edges_.end());
   }
 
-  /// Those that more than two boundary faces share.
+  /// The edges that more than two boundary faces share.
   std::vector<Edge> odd_edges() const {
     std::vector<Edge> odd;
     for (std::size_t i = 0; i + 2 < edges_.size(); ++i)
@@ -67,7 +67,7 @@ class Repair {
     return group;
   }
 
-  /// Those of `among` (sorted) that hang together with its first through faces, sorted; they are taken out of it.
+  /// Removes from `among` (sorted) its first tetrahedron and all that are connected to it through faces, and returns them sorted.
   Group take_group(Group& among) const {
     Group group{among.front()};
     among.erase(among.begin());

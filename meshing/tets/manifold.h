@@ -7,8 +7,8 @@
 
 namespace bake {
 
-/// Drops further tetrahedra of a selection until its boundary is a surface: the selected tetrahedra at each vertex and each edge hang
-/// together through faces, all but the largest group (by volume) go; and so do shreds, groups without an inner vertex.
+/// Drops tetrahedra from a selection until its boundary is a manifold surface. The selected tetrahedra at each vertex and edge must be
+/// connected through faces: all but the largest group (by volume) are dropped. Groups without an inner vertex are dropped, too.
 /// `kept` has a 1 for each tetrahedron that is selected. Depends on the input alone.
 void drop_until_manifold(const std::vector<Point>& points, const std::vector<Tet>& tets, const std::vector<Tet>& neighbours,
                          std::vector<char>& kept);

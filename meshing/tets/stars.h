@@ -8,7 +8,7 @@
 
 namespace bake {
 
-/// The tetrahedra at each vertex, in rising order.
+/// The tetrahedra at each vertex, in ascending order.
 class Stars {
  public:
   Stars(const std::vector<Tet>& tets, std::size_t vertices) : starts_(vertices + 1, 0), list_(4 * tets.size()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a solid's surface is, found from its signed distance alone, also where that is right to first order only.
+// Finds points on the surface of a solid from its signed distance alone, even if that is right to first order only.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ struct Sharpest {
 
 /// The crease or corner within about `reach_m` of the surface point x, if there is one; x itself with one face if not.
 /// The tangent planes around x are brought to intersect in the sense of least squares [Kobbelt, Botsch, Schwanecke, Seidel 2001,
-/// "Feature sensitive surface extraction"], again and again in a smaller neighbourhood: a bend that is only round gets flat, a crease
+/// "Feature sensitive surface extraction"], repeatedly and in ever smaller neighbourhoods: a round bend becomes flat, a crease
 /// does not.
 Sharpest sharpest_near(const Shape& solid, const Point& x, double reach_m);
 

@@ -13,7 +13,7 @@
 namespace bake {
 namespace {
 
-/// A face by its sorted vertices, and whose it is: 4 times the tetrahedron plus the corner opposite.
+/// A face with its sorted vertices and its owner: 4 times the tetrahedron's number plus the opposite corner.
 struct FaceEntry {
   std::int32_t middle, largest;
   std::int64_t half;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tetrahedra and their vertices, which are to be particles.
+// Meshes of tetrahedra whose vertices become particles.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace bake {
 using Tet = std::array<std::int32_t, 4>;       ///< four vertices of positive volume (see `tet_volume`)
 using Triangle = std::array<std::int32_t, 3>;  ///< three vertices, counter-clockwise from outside
 
-/// Is told what is being done, at the begin of each phase of long work.
+/// Is called with a description at the beginning of each phase of long work.
 using Tell = std::function<void(const std::string&)>;
 inline void tell_nobody(const std::string&) {}
 
@@ -44,7 +44,7 @@ std::vector<Tet> tet_neighbours(const std::vector<Tet>& tets, std::size_t vertic
 /// The faces that belong to one tetrahedron only.
 std::vector<Triangle> boundary_triangles(const std::vector<Tet>& tets, const std::vector<Tet>& neighbours);
 
-/// What there is to say of a mesh's quality.
+/// The quality of a mesh.
 struct TetQuality {
   double volume = 0;          ///< [m^3]
   double inner_spread = 0;    ///< standard deviation over mean of the volumes of vertices that are not on the boundary; 0 if there are none

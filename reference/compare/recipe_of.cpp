@@ -108,7 +108,7 @@ textbook::Recipe recipe_of(const Scene& scene) {
 
   const auto& heat = scene.of<Heat>();
   if (heat.integrator == Heat::Integrator::backward_euler) r.heat_step = textbook::HeatStep::backward_euler;
-  r.exchange_form = plain(heat.exchange_form);
+  r.heat_transfer_form = plain(heat.heat_transfer_form);
   r.expansion_form = plain(heat.expansion_form);
   r.water_form = plain(scene.of<Water>().form);
   r.alpha_w = heat.water_specific_heat_J_per_kgK;
@@ -124,14 +124,15 @@ textbook::Recipe recipe_of(const Scene& scene) {
 
 textbook::Surroundings surroundings_of(const Scene& scene, double time_s) {
   textbook::Surroundings s;
-  s.air = {scene.oven.exchange_W_per_m2K(time_s), scene.oven.temperature_C(time_s), scene.oven.equilibrium_saturation(time_s)};
+  s.air = {scene.oven.heat_transfer_coefficient_W_per_m2K(time_s), scene.oven.temperature_C(time_s),
+           scene.oven.equilibrium_saturation(time_s)};
   for (const Collider& collider : scene.colliders) {
     if (!present(collider, time_s)) continue;
     s.solids.push_back(solid_at(collider, time_s));
     s.solids.back().rule = plain(collider.contact);
     s.solids.back().friction = collider.friction;
     s.solids.back().expels = collider.expels;
-    s.solids.back().beta = collider.exchange_W_per_m2K;
+    s.solids.back().beta = collider.heat_transfer_coefficient_W_per_m2K;
   }
   for (const Grip& grip : scene.grips) {
     if (!present(grip, time_s)) continue;
@@ -150,7 +151,7 @@ textbook::Beginning beginning_of(const Scene& scene, const NewParticle& particle
   b.x = plain(particle.x);
   b.v = plain(particle.velocity);
   b.volume = particle.volume;
-  b.spin = plain(particle.spin);
+  b.angular_velocity = plain(particle.angular_velocity);
   b.theta = particle.body->temperature_C.value_or(m.initial_temperature_C);
   b.saturation = particle.body->saturation.value_or(m.initial_saturation);
   b.leavener = particle.body->leavener;

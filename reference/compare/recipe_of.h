@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a scene to what the textbook baker needs of it.
+// Converts a scene for the textbook baker.
 #pragma once
 
 #include "reference/textbook/baker.h"
@@ -9,7 +9,7 @@
 namespace bake {
 
 textbook::Recipe recipe_of(const Scene& scene);
-/// Air, colliders and grips as they are at one time.
+/// The air, colliders and grips at one time.
 textbook::Surroundings surroundings_of(const Scene& scene, double time_s);
 textbook::Beginning beginning_of(const Scene& scene, const NewParticle& particle, std::int64_t id);
 

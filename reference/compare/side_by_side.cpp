@@ -12,7 +12,7 @@ namespace bake {
 
 namespace {
 
-/// Conjugate gradients must not stop early: what is compared is the step, not where an iteration ends.
+/// Makes conjugate gradients iterate to round-off, so that the comparison does not depend on where an iteration stops.
 Scene with_exact_conduction(Scene scene) {
   scene.settings.get<Heat::Settings>().tolerance = 1e-15;
   return scene;

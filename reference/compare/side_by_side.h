@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The solver and the textbook baker on the same scene, with the same steps: how far do they come apart?
+// Runs the solver and the textbook baker on the same scene with the same steps, and measures how far their results differ.
 #pragma once
 
 #include <memory>
@@ -25,16 +25,16 @@ double worst(const std::vector<FieldDifference>& differences);
 
 class SideBySide {
  public:
-  /// Fills the scene and takes the step of no time. `with_twin`: a second textbook baker goes along that differs in one thing only: before
-  /// every step all that its particles carry is rounded to single precision. Throws InputError.
+  /// Fills the scene and takes the first step, which has no duration. `with_twin`: runs a second textbook baker as well, which differs only
+  /// in that the state of its particles is rounded to single precision before every step. Throws InputError.
   explicit SideBySide(const Scene& scene, bool with_twin = false);
 
-  /// One step of both, as long as the solver chooses; nothing is left to do (false) at the end of the scene.
+  /// Takes one step with both; the solver chooses its length. Returns false at the end of the scene, when nothing is left to do.
   bool step();
   const Simulation& solver() const { return *solver_; }
-  /// Position, velocity and whatever else the scene's effects keep. Infinite if the particles are not the same ones.
+  /// The differences in position, velocity and all other fields of the scene's effects. Infinite if the particles are not the same.
   std::vector<FieldDifference> differences() const;
-  /// How far the twin, which there must be, has come from the textbook: what the scene makes of one rounding of each number in each step.
+  /// How far the twin, which must exist, differs from the textbook: the effect of rounding each number once in each step.
   std::vector<FieldDifference> differences_of_twin() const;
 
   /// Memory that the textbook's dense grid needs for a scene [bytes].

@@ -20,7 +20,9 @@ void Baker::add(const Beginning& b) {
   const Material& m = material(p);
   p.x = b.x;
   p.v = b.v;
-  p.C = p.grad_v = {{{0, -b.spin[2], b.spin[1]}, {b.spin[2], 0, -b.spin[0]}, {-b.spin[1], b.spin[0], 0}}};
+  p.C = p.grad_v = {{{0, -b.angular_velocity[2], b.angular_velocity[1]},
+                     {b.angular_velocity[2], 0, -b.angular_velocity[0]},
+                     {-b.angular_velocity[1], b.angular_velocity[0], 0}}};
   p.V_0 = b.volume;
   p.theta = p.theta_peak = recipe_.heat ? b.theta : m.theta_0;
   p.c = b.leavener;

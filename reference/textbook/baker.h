@@ -17,8 +17,8 @@ struct Beginning {
   int material = 0;
   Vector x, v;
   double volume = 0;
-  Vector spin;       ///< of the body around it, about which C turns [rad/s]
-  double theta = 0;  ///< [C]
+  Vector angular_velocity;  ///< of the body around it, about which C turns [rad/s]
+  double theta = 0;         ///< [C]
   double saturation = 0;
   double leavener = 1;
 };
@@ -30,10 +30,10 @@ class Baker {
   Baker& operator=(const Baker&) = delete;
 
   void add(const Beginning&);
-  /// scatter -> grid -> gather. A run begins with a step of no time, which finds the first fluxes.
+  /// One step: scatter (P2G), grid update, gather (G2P). A run begins with a step of no duration, which finds the first fluxes.
   void step(double dt, const Surroundings&);
 
-  /// Rounds all that the particles carry to single precision. Done before every step, it shows what a scene makes of round-off.
+  /// Rounds the state of all particles to single precision. If this is done before every step, it shows how a scene amplifies round-off.
   void round_to_single();
 
   const std::vector<Particle>& particles() const { return particles_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All nodes of the domain and a margin around it, and the weights that join them to particles.
+// All nodes of the domain and a margin around it, and the weights that couple them to particles.
 #pragma once
 
 #include <array>
@@ -26,10 +26,10 @@ struct Node {
   double heat_content = 0;   ///< [J]
   double heat_change = 0;    ///< what the step brings [J]
   // surroundings
-  double area = 0;             ///< A_i, touching air [m^2]
-  double exchange = 0;         ///< sum A beta, of air and solids [W/K]
-  double exchange_source = 0;  ///< sum A beta theta_out [W]
-  std::optional<double> held;  ///< theta that a grip holds [C]
+  double area = 0;                  ///< A_i, touching air [m^2]
+  double heat_transfer = 0;         ///< sum A beta, of air and solids [W/K]
+  double heat_transfer_source = 0;  ///< sum A beta theta_out [W]
+  std::optional<double> held;       ///< theta that a grip holds [C]
   // after the step
   double moved_water = 0;   ///< change of m_i^w, evaporation included [kg]
   double evaporated = 0;    ///< [kg]
@@ -120,7 +120,7 @@ inline double spline_slope(Kernel kernel, double u) {
 /// The second moment of the weights, sum_i w r r^T = D I [m^2].
 inline double second_moment(Kernel kernel, double dx) { return dx * dx / (kernel == Kernel::quadratic ? 4 : 3); }
 
-/// What joins a node i and a particle p.
+/// The weights that couple a node i and a particle p.
 struct Overlap {
   double w;       ///< N_i(x_p)
   Vector grad_w;  ///< grad N_i(x_p), or D^-1 w r [1/m]

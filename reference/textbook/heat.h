@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Heat: conduction, exchange, expansion, and what moving water carries.   [Ding19 Sec. 4, 6.3]
+// Heat: conduction, heat transfer at the surface, expansion, and what moving water carries.   [Ding19 Sec. 4, 6.3]
 #pragma once
 
 #include "reference/textbook/grid.h"
@@ -43,7 +43,7 @@ inline void scatter_carried_heat(const Particle& p, const Recipe& recipe, double
   if (recipe.motion && recipe.water_form == Form::published) node.heat_change -= dt * o.w * recipe.alpha_w * p.theta * p.m_w * p.div_v();
 }
 
-/// theta_i' = (content + change - latent + dt A beta theta_out) / (c_i' + dt A beta): exchange is implicit at the node. c_i' knows
+/// theta_i' = (content + change - latent + dt A beta theta_out) / (c_i' + dt A beta): the transfer is implicit at the node. c_i' knows
 /// of the water that came or went; vapour leaves after the step with theta_i'.
 /// DEPARTS [Ding19 Sec. 4, 6.3]: as printed the flux is beta (theta - theta_out), and a hot body heats itself.
 inline void update_heat(const Recipe& recipe, double dt, Node& node) {
@@ -51,11 +51,11 @@ inline void update_heat(const Recipe& recipe, double dt, Node& node) {
   const double old = node.heat_content / node.heat_capacity;
   const double capacity = node.heat_capacity + recipe.alpha_w * (node.moved_water + node.evaporated);
   const double content = node.heat_content + node.heat_change - recipe.latent_heat * node.evaporated;
-  if (recipe.exchange_form == Form::published)
-    node.theta = (content + dt * (node.exchange * old - node.exchange_source)) / capacity;
+  if (recipe.heat_transfer_form == Form::published)
+    node.theta = (content + dt * (node.heat_transfer * old - node.heat_transfer_source)) / capacity;
   else
-    node.theta = (content + dt * node.exchange_source) / (capacity + dt * node.exchange);
-  node.heat_weight = capacity + dt * node.exchange;
+    node.theta = (content + dt * node.heat_transfer_source) / (capacity + dt * node.heat_transfer);
+  node.heat_weight = capacity + dt * node.heat_transfer;
   if (node.held) {
     node.theta = *node.held;
     node.heat_weight = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is baked, and by which form of each equation. SI units, temperatures in degrees Celsius.
+// What is baked, and with which form of each equation. SI units, temperatures in degrees Celsius.
 #pragma once
 
 #include <functional>
@@ -71,7 +71,7 @@ struct Recipe {
   double inertia_scale = 1;  ///< inertial mass per mass
 
   HeatStep heat_step = HeatStep::forward_euler;
-  Form exchange_form = Form::standard, expansion_form = Form::standard, water_form = Form::standard, leavening_form = Form::standard,
+  Form heat_transfer_form = Form::standard, expansion_form = Form::standard, water_form = Form::standard, leavening_form = Form::standard,
        porosity_form = Form::standard, surface_form = Form::standard;
   Norm norm = Norm::distance;
   double alpha_w = 0;                            ///< heat capacity of water per mass [J/(kg K)]
@@ -80,7 +80,7 @@ struct Recipe {
   bool pores_open = false;                       ///< pores hold no vacuum
 };
 
-/// A rigid thing that touches dough, at one moment.
+/// A rigid object that touches dough, at one time.
 struct Solid {
   std::function<double(const Vector&)> distance;  ///< signed, negative inside [m]
   std::function<Vector(const Vector&)> normal;    ///< outward, of length 1
@@ -99,7 +99,7 @@ struct Air {
   double s_out = 0;  ///< saturation that its humidity would keep
 };
 
-/// What the dough stands in during one step.
+/// The surroundings of the dough during one step.
 struct Surroundings {
   Air air;
   std::vector<Solid> solids;

@@ -77,7 +77,7 @@ struct Behind {
 void measure_surface(const Surroundings& surroundings, Grid& grid) {
   constexpr double k_no_dough = 1e-3;
   const double dx = grid.dx();
-  Field phi{grid}, smooth{grid}, psi{grid}, free{grid}, exchange{grid}, source{grid};
+  Field phi{grid}, smooth{grid}, psi{grid}, free{grid}, heat_transfer{grid}, source{grid};
   grid.for_each([&](const Index& i, const Node&) { phi[i] = mirrored_volume(grid, i) / (dx * dx * dx); });
   grid.for_each([&](const Index& i, const Node&) { smooth[i] = blurred(phi, i); });
   grid.for_each([&](const Index& i, const Node&) { psi[i] = std::clamp((smooth[i] - 0.2) / 0.6, 0.0, 1.0); });
@@ -90,14 +90,14 @@ void measure_surface(const Surroundings& surroundings, Grid& grid) {
     const Solid* cover = covering(surroundings, grid.position(i), &outward, 2.5 * dx);
     const Behind behind(cover, surroundings.air);
     free[i] = cover ? 0 : r;
-    exchange[i] = r * behind.beta;
+    heat_transfer[i] = r * behind.beta;
     source[i] = r * behind.beta * behind.theta;
   });
   grid.for_each([&](const Index& i, Node& node) {
     if (node.volume == 0) return;
     node.area = node.volume * blurred(free, i);
-    node.exchange = node.volume * blurred(exchange, i);
-    node.exchange_source = node.volume * blurred(source, i);
+    node.heat_transfer = node.volume * blurred(heat_transfer, i);
+    node.heat_transfer_source = node.volume * blurred(source, i);
   });
 }
 
@@ -135,8 +135,8 @@ void measure_published_surface(const std::vector<Particle>& particles, const Sur
     if (!(node.area > 0)) return;
     const Solid* cover = covering(surroundings, grid.position(i), nullptr, grid.dx());
     const Behind behind(cover, surroundings.air);
-    node.exchange = node.area * behind.beta;
-    node.exchange_source = node.area * behind.beta * behind.theta;
+    node.heat_transfer = node.area * behind.beta;
+    node.heat_transfer_source = node.area * behind.beta * behind.theta;
     if (cover) node.area = 0;
   });
 }

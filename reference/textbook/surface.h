@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the dough ends, and what is on the other side.
+// The surface of the dough, and what is on its other side.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace bake::textbook {
 
-/// Fills area, exchange and exchange_source of every node from the volumes V_i:
+/// Fills area, heat_transfer and heat_transfer_source of every node from the volumes V_i:
 ///     phi_i = V_i / dx^3;  phi~ = B phi                        B: (1, 2, 1)/4 along each axis
 ///     psi_i = clamp((phi~_i - 0.2) / 0.6, 0, 1)
 ///     r_i   = |grad psi|_i / phi~_i                            differences over two nodes, (1, 6, 1)/8 across

@@ -10,7 +10,7 @@ namespace {
 
 constexpr Box3 k_everywhere{{-k_infinity, -k_infinity, -k_infinity}, {k_infinity, k_infinity, k_infinity}};
 
-/// The part whose distance `before` all others', and that distance.
+/// The part whose distance comes first in the order `before`, and that distance.
 struct Decisive {
   const Shape* part;
   double distance;
@@ -58,7 +58,7 @@ class Intersection final : public Shape {
       const Box3 other = part->bounds();
       for (int i = 0; i < 3; ++i) {
         box.low[i] = std::max(box.low[i], other.low[i]);
-        box.high[i] = std::max(box.low[i], std::min(box.high[i], other.high[i]));  // of no extent if the parts are apart
+        box.high[i] = std::max(box.low[i], std::min(box.high[i], other.high[i]));  // empty if the parts do not overlap
       }
     }
     return box;

@@ -46,7 +46,7 @@ class PoissonSampler {
  public:
   PoissonSampler(const Shape& shape, const Box3& bounds, double radius, std::uint64_t seed)
       : shape_(shape), radius_(radius), cell_(radius / std::sqrt(3.0)), random_(seed) {
-    // Beyond the shape, so that its rim is a cut through the packing; points crowd at the rim of what is packed.
+    // The packing extends beyond the shape, because points crowd at the rim of a packing; the shape then cuts through its interior.
     reach_ = 2 * radius;
     for (int i = 0; i < 3; ++i) {
       low_[i] = bounds.low[i] - reach_ - k_fringe * cell_;
@@ -82,7 +82,7 @@ class PoissonSampler {
 
   std::size_t index(const Count3& c) const { return static_cast<std::size_t>((c[0] * size_[1] + c[1]) * size_[2] + c[2]); }
 
-  /// Offsets of the cells that may hold a point within the radius, nearest first: most darts fail at once.
+  /// Offsets of the cells that may hold a point within the radius, nearest first, so that most darts are rejected early.
   void list_neighbours() {
     std::vector<std::pair<std::int64_t, std::ptrdiff_t>> offsets;
     for (std::int64_t i = -2; i <= 2; ++i)
@@ -93,7 +93,7 @@ class PoissonSampler {
     for (const auto& [square, offset] : offsets) neighbours_.push_back(offset);
   }
 
-  /// Keeps the point if it is near the shape and far from the others.
+  /// Accepts the point if it is near the shape and far enough from all others.
   bool try_point(const Point& x) {
     Count3 c;
     for (int i = 0; i < 3; ++i) {

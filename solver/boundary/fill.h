@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Points that fill a shape, one per spacing^3 of its volume.
+// Fills a shape with points, one per spacing^3 of its volume.
 //
-// The points are a function of shape, spacing and seed alone: they come in the order of their place (x slowest, z
-// fastest) and use no random number facility that differs between platforms.
+// The points depend on shape, spacing and seed alone. They are sorted by position (x slowest, z fastest), and their random numbers
+// are the same on every platform.
 // Both throw std::invalid_argument if the spacing is not positive and finite, if the shape's bounds are infinite, or if
 // the spacing is so small that the bounds would hold more than 10^10 cells.
 #pragma once
@@ -18,8 +18,8 @@ namespace bake {
 /// each axis (jitter 0..1; 1: anywhere in its own cube), that end up inside.
 std::vector<Point> fill_lattice(const Shape& shape, double spacing_m, double jitter, std::uint64_t seed);
 
-/// Random points no two of which are closer than k_poisson_radius * spacing_m, packed so densely that there is hardly
-/// room for another. Interior and rim are equally dense.
+/// Random points, no two of them closer than k_poisson_radius * spacing_m, packed so densely that hardly another one fits in. Interior
+/// and rim are equally dense.
 std::vector<Point> fill_poisson(const Shape& shape, double spacing_m, std::uint64_t seed);
 
 /// Smallest distance of Poisson points, in spacings: the one at which the dense packing has one point per spacing^3

@@ -28,7 +28,7 @@ RigidPath::RigidPath(const std::vector<Keyframe>& keys, const Point& pivot) : pi
       const double duration = keys[i + 1].time_s - keys[i].time_s;
       if (!(duration > 0)) throw std::invalid_argument("times of keyframes must rise");
       leg.velocity = (1 / duration) * (keys[i + 1].position_m - keys[i].position_m);
-      leg.spin = (1 / duration) * turn_between(keys[i], keys[i + 1]);
+      leg.angular_velocity = (1 / duration) * turn_between(keys[i], keys[i + 1]);
     }
     legs_.push_back(leg);
   }
@@ -36,11 +36,11 @@ RigidPath::RigidPath(const std::vector<Keyframe>& keys, const Point& pivot) : pi
 
 RigidState RigidPath::state(const Leg& leg, double since_s) const {
   RigidState state;
-  state.rotation = matrix(quaternion(since_s * leg.spin) * leg.orientation);
+  state.rotation = matrix(quaternion(since_s * leg.angular_velocity) * leg.orientation);
   state.pivot = pivot_;
   state.centre = pivot_ + leg.offset + since_s * leg.velocity;
   state.velocity = leg.velocity;
-  state.spin = leg.spin;
+  state.angular_velocity = leg.angular_velocity;
   return state;
 }
 
@@ -49,7 +49,7 @@ RigidState RigidPath::at(double time_s) const {
   const auto next = std::upper_bound(legs_.begin(), legs_.end(), time_s, [](double t, const Leg& leg) { return t < leg.start_s; });
   if (next != legs_.begin()) return state(*(next - 1), time_s - (next - 1)->start_s);
   RigidState waiting = state(legs_.front(), 0);
-  waiting.velocity = waiting.spin = {0, 0, 0};
+  waiting.velocity = waiting.angular_velocity = {0, 0, 0};
   return waiting;
 }
 
@@ -57,10 +57,10 @@ double RigidPath::largest_speed(const Box3& box) const {
   double largest = 0;
   for (const Leg& leg : legs_) {
     double turning = 0;  // of the fastest corner about the pivot; constant over the leg
-    if (length(leg.spin) > 0 && !finite(box)) return k_infinity;
-    for (int corner = 0; corner < 8 && length(leg.spin) > 0; ++corner) {
+    if (length(leg.angular_velocity) > 0 && !finite(box)) return k_infinity;
+    for (int corner = 0; corner < 8 && length(leg.angular_velocity) > 0; ++corner) {
       const Point x = {corner & 1 ? box.high[0] : box.low[0], corner & 2 ? box.high[1] : box.low[1], corner & 4 ? box.high[2] : box.low[2]};
-      turning = std::max(turning, length(cross(leg.spin, matrix(leg.orientation) * (x - pivot_))));
+      turning = std::max(turning, length(cross(leg.angular_velocity, matrix(leg.orientation) * (x - pivot_))));
     }
     largest = std::max(largest, length(leg.velocity) + turning);
   }

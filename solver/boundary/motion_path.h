@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scripted rigid motion of colliders, grips and whatever else is moved by hand.
+// Prescribed rigid motion of colliders and grips.
 #pragma once
 
 #include <vector>
@@ -18,30 +18,30 @@ struct Keyframe {
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"time_s", &Keyframe::time_s, "s", any_number, "time of this pose", Presence::required},
-        Parameter{"position_m", &Keyframe::position_m, "m", any_number, "offset from the place the shape was drawn at"},
+        Parameter{"position_m", &Keyframe::position_m, "m", any_number, "offset from the position in which the scene draws the shape"},
         Parameter{"rotation_deg", &Keyframe::rotation_deg, "deg", any_number, "rotation vector (axis times angle) about the pivot"},
     };
   }
 };
 
-/// Rigid pose x = R (X - pivot) + centre, and its velocity field v(x) = velocity + spin x (x - centre).
+/// Rigid pose x = R (X - pivot) + centre, and its velocity field v(x) = velocity + omega x (x - centre).
 struct RigidState {
-  Rotation rotation = k_no_rotation;  ///< rows of R
-  Point centre = {0, 0, 0};           ///< where the pivot is now [m]
-  Point pivot = {0, 0, 0};            ///< where the pivot was drawn [m]
-  Vector3 velocity = {0, 0, 0};       ///< of the pivot [m/s]
-  Vector3 spin = {0, 0, 0};           ///< angular velocity [rad/s]
+  Rotation rotation = k_no_rotation;     ///< rows of R
+  Point centre = {0, 0, 0};              ///< where the pivot is now [m]
+  Point pivot = {0, 0, 0};               ///< where the pivot was drawn [m]
+  Vector3 velocity = {0, 0, 0};          ///< of the pivot [m/s]
+  Vector3 angular_velocity = {0, 0, 0};  ///< omega [rad/s]
 
   Point to_drawn(const Point& x) const { return turn_back(rotation, x - centre) + pivot; }  ///< world -> drawn frame
   Point to_world(const Point& drawn) const { return rotation * (drawn - pivot) + centre; }
   Vector3 turn(const Vector3& drawn) const { return rotation * drawn; }  ///< direction in the drawn frame -> world
-  Vector3 velocity_at(const Point& x) const { return velocity + cross(spin, x - centre); }
+  Vector3 velocity_at(const Point& x) const { return velocity + cross(angular_velocity, x - centre); }
 };
 
 /// Piecewise rigid motion through keyframes: offsets linear in time, rotations at constant angular velocity, at rest
-/// before the first and after the last. Between rotation vectors along one axis the rotation is as written, whole
-/// turns included ([0,0,0] to [0,0,720] turns twice); otherwise it goes the shorter way.
-/// At a key the velocity is that of the leg which begins there.
+/// before the first and after the last. Between rotation vectors along one axis the shape rotates as written,
+/// including whole turns ([0,0,0] to [0,0,720] turns twice); otherwise it takes the shorter way.
+/// At a keyframe the velocity is that of the leg that begins there.
 class RigidPath {
  public:
   RigidPath() = default;                                             ///< at rest where drawn
@@ -59,7 +59,7 @@ class RigidPath {
     Vector3 offset = {0, 0, 0};    ///< at the start
     Quaternion orientation;        ///< at the start
     Vector3 velocity = {0, 0, 0};  ///< of the pivot
-    Vector3 spin = {0, 0, 0};
+    Vector3 angular_velocity = {0, 0, 0};
   };
   RigidState state(const Leg& leg, double since_s) const;
 

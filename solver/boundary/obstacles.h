@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Solids that particles may not enter, as the effects see them.
+// The interface through which effects see solids that particles must not enter.
 #pragma once
 
 #include "solver/boundary/shape.h"
@@ -9,7 +9,7 @@ namespace bake {
 class Obstacles {
  public:
   virtual ~Obstacles() = default;
-  /// Puts a particle that is inside a solid onto its surface and applies the contact rule to its velocity. Returns whether it
+  /// Moves a particle that is inside a solid onto its surface and applies the contact rule to its velocity. Returns whether it
   /// was inside.
   virtual bool push_out(Point& x, Vector3& v) const = 0;
 };

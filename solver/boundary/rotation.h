@@ -22,13 +22,13 @@ struct Quaternion {
   Vector3 v = {0, 0, 0};
 };
 
-/// First b, then a.
+/// The rotation b followed by a.
 constexpr Quaternion operator*(const Quaternion& a, const Quaternion& b) {
   return {a.w * b.w - dot(a.v, b.v), a.w * b.v + b.w * a.v + cross(a.v, b.v)};
 }
 constexpr Quaternion inverse(const Quaternion& q) { return {q.w, -q.v}; }
 
-/// Turn by |a| [rad] about a.
+/// The rotation by |a| [rad] about a.
 inline Quaternion quaternion(const Vector3& rotation_rad) {
   const double angle = length(rotation_rad);
   return {std::cos(angle / 2), std::sin(angle / 2) * unit(rotation_rad)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A shape that moves by a script and may be there only for a while: colliders and grips.
+// A shape with prescribed motion that exists for a limited time: a collider or grip.
 #pragma once
 
 #include "solver/boundary/motion_path.h"
@@ -8,7 +8,7 @@
 
 namespace bake {
 
-/// Ask `path.at(t)` for the pose once per step, then distances and normals for any number of world points.
+/// Call `path.at(t)` once per step for the pose, then ask for distances and normals at any number of points.
 struct ScriptedShape {
   ShapePtr shape;  ///< in the frame it was drawn in
   RigidPath path;
@@ -18,7 +18,7 @@ struct ScriptedShape {
   bool present(double time_s) const { return time_s >= from_s && time_s < until_s; }
   double distance(const RigidState& pose, const Point& world) const { return shape->distance(pose.to_drawn(world)); }
   Vector3 normal(const RigidState& pose, const Point& world) const { return pose.turn(shape->normal(pose.to_drawn(world))); }
-  /// Box that holds the moved shape: tight if it has not turned.
+  /// A box that contains the moved shape; it is tight if the shape has not rotated.
   Box3 bounds(const RigidState& pose) const {
     const Box3 drawn = shape->bounds();
     const Box3 about_pivot = turned(pose.rotation, {drawn.low - pose.pivot, drawn.high - pose.pivot});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes as signed distances: the one description of bodies, colliders, grips and emitters.
+// Shapes as signed distances: bodies, colliders, grips and emitters are all described like this.
 #pragma once
 
 #include <limits>
@@ -18,17 +18,17 @@ struct Box3 {
   Point high;
 };
 
-/// A solid given by its signed distance [m]: negative inside, positive outside, right sign everywhere. Exact for the
-/// plain shapes. A superellipsoid is right to first order at its surface; combinations take the smallest or largest
-/// distance of their parts. Outside, none claims more than the exact distance, so a ball of that radius is free (unless a
-/// superellipsoid is cut out of it: inside, that one may claim more than its depth).
+/// A solid given by its signed distance [m]: negative inside, positive outside. The sign is right everywhere. The distance is exact for the
+/// simple shapes and right to first order at the surface of a superellipsoid; combinations take the smallest or largest distance of their
+/// parts. Outside, the value is never larger than the exact distance, so that a ball of this radius is free of the solid. (The exception is
+/// a solid from which a superellipsoid is cut out: inside a superellipsoid the value may exceed the depth.)
 class Shape {
  public:
   virtual ~Shape() = default;
   virtual double distance(const Point& x) const = 0;
   /// Outward unit normal at the nearest surface point (direction of the distance's gradient).
   virtual Point normal(const Point& x) const;
-  /// Box that holds the solid; infinite extents for half-spaces and complements.
+  /// A box that contains the solid; half-spaces and complements have infinite extents.
   virtual Box3 bounds() const = 0;
 };
 

@@ -158,7 +158,7 @@ struct Gauge {
 Gauge superellipsoid_gauge(const Vector3& y, const Vector3& half, double p, double q) {
   Vector3 u = {y[0] / half[0], y[1] / half[1], y[2] / half[2]};
   const double scale = *std::max_element(u.begin(), u.end());
-  if (scale == 0) {  // the centre: any direction will do, take the nearest face's
+  if (scale == 0) {  // the centre: any direction will do; this takes that of the nearest face
     Vector3 gradient = {0, 0, 0};
     const int shortest = index_of_smallest(half);
     gradient[shortest] = 1 / half[shortest];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Every shape that a scene can draw, and the ways to combine them.
+// All shapes of scenes, and their combinations.
 //
-// A shape is a plain struct of its scene keys. `check()` says in one clause what is wrong with values that are each in
-// range but do not fit together; it is empty if the shape is sound, and only then may the other functions be called.
+// A shape is a plain struct of its scene keys. `check()` tells in one clause why values that are each in range do not fit together. If it
+// returns an empty text, the shape is valid; only then may the other functions be called.
 #pragma once
 
 #include <string>

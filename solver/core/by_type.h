@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values of different types, one of each.
+// A container for values of different types, at most one of each type.
 #pragma once
 
 #include <any>
@@ -8,17 +8,18 @@
 
 namespace bake {
 
-/// What it holds it need not know: a scene keeps every effect's settings so, and only who asks for an effect's includes that effect.
+/// The container does not name the types that it holds. A scene keeps the settings of all effects in it, so that only code which asks for
+/// the settings of an effect has to include that effect's header.
 class ByType {
  public:
-  /// The value of that type; its defaults if none was set.
+  /// The value of that type; a default-constructed one if none was set.
   template <class Value>
   const Value& get() const {
     static const Value k_defaults{};
     const auto found = values_.find(typeid(Value));
     return found == values_.end() ? k_defaults : *std::any_cast<Value>(&found->second);
   }
-  /// The same to be changed.
+  /// The same, to change it.
   template <class Value>
   Value& get() {
     std::any& value = values_[typeid(Value)];

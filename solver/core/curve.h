@@ -5,7 +5,7 @@
 
 namespace bake {
 
-/// A quantity that changes with time (or stays constant: one point). Linear between points, flat outside.
+/// A quantity that changes with time (or stays constant: one point). It is linear between points and constant outside.
 /// In a scene: a number, or a list of [time_s, value] pairs with rising times.
 struct Curve {
   struct Point {

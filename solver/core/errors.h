@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The three ways in which a program of Bake fails. Each is one line for people; the exit codes follow from them.
+// The three ways in which a program of Bake fails. Each carries one line for people and decides the exit code.
 #pragma once
 
 #include <stdexcept>

@@ -5,7 +5,7 @@
 
 namespace bake {
 
-/// The B-spline that joins particles and nodes.
+/// The degree of the B-spline that couples particles and nodes.
 enum class KernelOrder { quadratic, cubic };
 constexpr auto choice_names(KernelOrder) { return std::array{"quadratic", "cubic"}; }
 

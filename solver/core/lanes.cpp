@@ -5,7 +5,7 @@
 
 namespace bake {
 
-// Eigen's packets are as wide as the registers: one of them holds the lanes.
+// An Eigen packet is as wide as a register, so it holds exactly one pack of lanes.
 #define BAKE_LANE_FUNCTION(name, Real)                                                       \
   Lanes<Real> name(Lanes<Real> a) {                                                          \
     using Array = Eigen::Array<Real, k_width<Real>, 1>;                                      \

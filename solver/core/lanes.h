@@ -45,7 +45,7 @@ using LaneMask = typename LaneTraits<Real>::Mask;
 template <class Real>
 inline constexpr int k_width = k_register_bytes / static_cast<int>(sizeof(Real));
 
-/// All lanes alike.
+/// The same number in all lanes.
 template <class Real>
 BAKE_INLINE Lanes<Real> lanes(std::type_identity_t<Real> x) {
   return x - Lanes<Real>{};
@@ -75,7 +75,7 @@ BAKE_INLINE V sqrt(V a) {
   return result;
 }
 
-// Lane by lane, to a few units in the last place. Functions of their own and not inlined: they are long.
+// Exact to a few units in the last place. Not inlined, because they are long.
 Lanes<float> exp(Lanes<float> a);
 Lanes<double> exp(Lanes<double> a);
 Lanes<float> log(Lanes<float> a);
@@ -110,7 +110,8 @@ template <class V>
 BAKE_INLINE auto smallest_lane(V a) {
   return -largest_lane(-a);
 }
-/// Sum of the lanes in double, by halves: a few instructions, where one after the other each would wait for the last.
+/// The sum of the lanes in double. It is summed by halves, which takes a few instructions; adding one lane after the other would wait for
+/// each sum.
 template <class V>
 BAKE_INLINE double sum_lanes(V a) {
   constexpr int n = sizeof(a) / sizeof(a[0]);

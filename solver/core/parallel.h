@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Loops that threads share.
+// Parallel loops.
 #pragma once
 
 #include <omp.h>
@@ -12,8 +12,8 @@
 namespace bake {
 
 /// Calls work(i) once for every i in 0 .. count - 1. Each thread first takes its own part of the range, the same in every loop, so that
-/// it meets again what its caches hold; who is done helps the others. `chunk`: how many are taken at a time. Who does what is left to
-/// chance: `work` must not depend on it.
+/// its caches still hold that part. A thread that is done takes work from the others, `chunk` items at a time. Which thread does which item
+/// is left to chance, so `work` must not depend on it.
 template <class Work>
 void for_each_parallel(std::size_t count, std::size_t chunk, Work work) {
   struct alignas(64) Taken {

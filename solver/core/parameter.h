@@ -11,7 +11,7 @@
 //       }
 //     };
 //
-// The reader, the validation, `bake explain`, the documentation page and the resolved scene in run.json are all
+// The reader, the validation, overrides, `bake explain`, the documentation page and the resolved scene in run.json are all
 // made from that list. The default is the value in a default-constructed struct.
 #pragma once
 
@@ -29,6 +29,8 @@ namespace bake {
 
 enum class Presence { optional, required };
 
+inline constexpr const char* k_former_keys_end = "1.0";  ///< version that no longer reads former keys
+
 /// One scene key: where it is stored and everything a user may want to know of it.
 template <class Owner, class Value>
 struct Parameter {
@@ -38,6 +40,7 @@ struct Parameter {
   Range range;           ///< for numbers; applies to every entry of a vector or curve
   const char* meaning;   ///< one sentence, with the symbol and equation of the paper where there is one
   Presence presence = Presence::optional;
+  const char* former = nullptr;  ///< what the key was called before: read until k_former_keys_end, with a notice
 };
 
 template <class Owner, class Value, class... Rest>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Rows: the numbers of one node or one particle side by side, and their turn into lanes of many.
+// Rows: the numbers of one node or particle side by side, and the transposition of rows into lanes.
 #pragma once
 
 #include "solver/core/lanes.h"
 
 namespace bake {
 
-/// R numbers in registers: one of R, or several of the machine's own width.
+/// R numbers in registers: one register if R numbers fit, else several.
 template <class Real, int R>
 struct Row {
   static constexpr int k_chunk = R < k_width<Real> ? R : k_width<Real>;
@@ -41,7 +41,7 @@ struct Row {
     for (int c = 0; c < k_chunks; ++c) r.at[c] = at[c] * s;
     return r;
   }
-  /// *this + n a for a small whole number: sums, which leave the multipliers to others.
+  /// *this + n a for a small whole number n, computed by sums, which leave the multipliers free.
   BAKE_INLINE Row plus(int n, const Row& a) const {
     Row r = *this;
 #pragma GCC unroll 8
@@ -51,11 +51,11 @@ struct Row {
   }
 };
 
-/// Two rows in one, side by side.
+/// Two rows side by side in one register or in two.
 template <class Real, int R>
 using RowPair = Row<Real, 2 * R>;
 
-/// Asks for rows that will be read and written soon.
+/// Prefetches rows that will be read and written soon.
 template <class Real>
 BAKE_INLINE void prefetch_rows(const Real* first, std::size_t numbers) {
   for (std::size_t i = 0; i < numbers; i += 64 / sizeof(Real)) __builtin_prefetch(first + i, 1, 2);
@@ -90,7 +90,7 @@ BAKE_INLINE Chunk narrowed(V a, std::integer_sequence<int, L...>) {
 }
 }  // namespace detail
 
-/// A pair of one register: `low` in all of its lower row, `high` in all of its upper.
+/// A pair in one register: all numbers of its lower row are `low`, all of its upper row `high`.
 template <int R, class Real>
 BAKE_INLINE RowPair<Real, R> halves(Real low, Real high) {
   return detail::halves<Real, R>(low, high, std::make_integer_sequence<int, 2 * R>{});
@@ -130,14 +130,14 @@ BAKE_INLINE void rows_to_lanes(const Real* rows, Lanes<Real>* columns) {
   }
 }
 
-/// The way back.
+/// The reverse.
 template <int R, class Real>
 BAKE_INLINE void lanes_to_rows(const Lanes<Real>* columns, Real* rows, int stride = R) {
   constexpr int W = k_width<Real>, width = Row<Real, R>::k_chunk;
   using Chunk = typename Row<Real, R>::Chunk;
   for (int c = 0; c < R; c += width) {
     Lanes<Real> square[W];
-    for (int l = 0; l < W; ++l) square[l] = columns[c + l % width];  // what is beyond the row is not used
+    for (int l = 0; l < W; ++l) square[l] = columns[c + l % width];  // numbers beyond the row are not used
     transpose(square);
     for (int l = 0; l < W; ++l) {
       Chunk& part = *reinterpret_cast<Chunk*>(rows + l * stride + c);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Symmetric 3x3 matrices on lanes, with the logarithm and exponential that Hencky's strain needs.
 //
-// Pressure and shear need only the trace and the deviator of log b, so no eigen-decomposition: log(I + b) and
+// Pressure and shear need only the trace and the deviator of log b, so no eigen-decomposition is needed: log(I + b) and
 // exp(h) - I are short polynomials in the matrix, reduced by Cayley-Hamilton (three multiply-adds a degree). Lanes
 // whose matrix is too large for the series take a Jacobi decomposition; the choice is made lane by lane, so that a
 // particle's result never depends on its neighbours in the register.
@@ -19,7 +19,7 @@ struct Symmetric {
 
 inline constexpr int k_row_of[6] = {0, 1, 2, 1, 0, 0};
 inline constexpr int k_column_of[6] = {0, 1, 2, 2, 2, 1};
-/// Where component (i, j) is kept.
+/// The index at which component (i, j) is stored.
 inline constexpr int k_component[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
 
 template <class V>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Heat: conduction, exchange with oven and hot colliders, thermal expansion. [Ding19 Sec. 4, 6.3]
+// Heat: conduction, heat transfer from oven and hot colliders, thermal expansion. [Ding19 Sec. 4, 6.3]
 #pragma once
 
 #include <string>
@@ -35,7 +35,7 @@ struct Water;
 
 struct Heat : Effect {
   static constexpr const char* name = "heat";
-  static constexpr const char* meaning = "temperature: conduction, exchange with the surroundings, thermal expansion";
+  static constexpr const char* meaning = "temperature: conduction, heat transfer from the surroundings, thermal expansion";
 
   enum class Integrator { forward_euler, backward_euler };
   friend constexpr auto choice_names(Integrator) { return std::array{"forward_euler", "backward_euler"}; }
@@ -43,7 +43,7 @@ struct Heat : Effect {
   struct Settings {
     Integrator integrator = Integrator::forward_euler;
     double tolerance = 1e-8;
-    Form exchange_form = Form::standard;
+    Form heat_transfer_form = Form::standard;
     Form expansion_form = Form::standard;
     double water_specific_heat_J_per_kgK = 4186;
     double implicit_step_factor = 100;
@@ -52,8 +52,9 @@ struct Heat : Effect {
           Parameter{"integrator", &Settings::integrator, "", any_number, "gamma = 0 (forward Euler) or 1 (backward Euler) of Sec. 6.3"},
           Parameter{"tolerance", &Settings::tolerance, "1", open_fraction,
                     "relative residual at which backward Euler's conjugate gradients stop"},
-          Parameter{"exchange_form", &Settings::exchange_form, "", any_number,
-                    "surface flux beta (theta_out - theta) (standard) or with the printed sign (published)"},
+          Parameter{"heat_transfer_form", &Settings::heat_transfer_form, "", any_number,
+                    "surface flux beta (theta_out - theta) (standard) or with the printed sign (published)", Presence::optional,
+                    "exchange_form"},
           Parameter{"expansion_form", &Settings::expansion_form, "", any_number,
                     "thermal stress from g = ln J in stress and heat (standard) or the printed powers of J (published)"},
           Parameter{"water_specific_heat_J_per_kgK", &Settings::water_specific_heat_J_per_kgK, "J/(kg K)", positive,
@@ -110,12 +111,12 @@ struct Heat : Effect {
   template <class Real>
   struct NodeConstants {
     Real water;
-    bool published_exchange;
+    bool published_heat_transfer;
     template <class Scene>
     explicit NodeConstants(const Scene& scene) {
       const auto& settings = scene.template of<Heat>();
       water = static_cast<Real>(settings.water_specific_heat_J_per_kgK);
-      published_exchange = settings.exchange_form == Form::published;
+      published_heat_transfer = settings.heat_transfer_form == Form::published;
     }
   };
 
@@ -126,8 +127,8 @@ struct Heat : Effect {
     model.heat_tolerance = settings.tolerance;
     model.temperature_channel = Model::Gathered::template offset<channel::NodeTemperature>;
     model.heat_entry = Model::Booked::template offset<booked::HeatExchanged>;
-    for (const auto& [at, value] : scene.oven.exchange_W_per_m2K.points) model.needs_surface |= value != 0;
-    for (const auto& collider : scene.colliders) model.needs_surface |= collider.exchange_W_per_m2K != 0;
+    for (const auto& [at, value] : scene.oven.heat_transfer_coefficient_W_per_m2K.points) model.needs_surface |= value != 0;
+    for (const auto& collider : scene.colliders) model.needs_surface |= collider.heat_transfer_coefficient_W_per_m2K != 0;
   }
 
   static void fill(auto& p, int lane, const auto& start) {
@@ -204,7 +205,7 @@ struct Heat : Effect {
   BAKE_INLINE static auto conductance(auto& p, const auto& k) { return k.kappa * p.volume(); }
 
   /// (content + change + dt sum S beta theta_out) / (capacity + dt sum S beta), the capacity being that after the step's water
-  /// fluxes: exchange is implicit at the node, so a light surface node never limits the step; it gains what the surroundings
+  /// fluxes: the transfer is implicit at the node, so a light surface node never limits the step; it gains what the surroundings
   /// lose, to round-off. Vapour leaves with the new temperature.
   /// DEPARTS [Ding19 Sec. 4, 6.3]: the boundary flux is beta (theta_out - theta); as printed, a hot body heats itself.
   BAKE_INLINE static void update(auto& node, const auto& k, const auto& step, auto& budget) {
@@ -220,10 +221,10 @@ struct Heat : Effect {
       capacity += k.water * (node.sums.moved + node.sums.evaporated);
     }
     const auto& around = node.surroundings;
-    const auto exchange = step.dt * around.exchange, source = step.dt * around.exchange_source;
-    const auto weight = capacity + exchange;
+    const auto transfer = step.dt * around.heat_transfer, source = step.dt * around.heat_transfer_source;
+    const auto weight = capacity + transfer;
     auto theta = filled ? (content + change + source) / weight : none;
-    if (k.published_exchange) theta = filled ? (content + change - source + exchange * old) / capacity : none;
+    if (k.published_heat_transfer) theta = filled ? (content + change - source + transfer * old) / capacity : none;
     budget.book(booked::heat_exchanged, filled ? capacity * theta - (content + change) : none);
     const auto held = around.is_held & filled;
     budget.book(booked::heat_exchanged, held ? capacity * (around.held - theta) : none);
@@ -259,15 +260,17 @@ struct Heat : Effect {
   static std::string idle(const auto& here) {
     const auto& scene = here.scene;
     if (scene.lists("leavening")) return "";  // which needs it
-    const bool exchanged = here.is_ever_above_zero(scene.oven.exchange_W_per_m2K) ||
-                           here.any(scene.colliders, [](const auto& c) { return c.temperature_C && c.exchange_W_per_m2K > 0; }) ||
-                           here.any(scene.grips, [](const auto& g) { return g.temperature_C.has_value(); });
+    const bool exchanged =
+        here.is_ever_above_zero(scene.oven.heat_transfer_coefficient_W_per_m2K) ||
+        here.any(scene.colliders, [](const auto& c) { return c.temperature_C && c.heat_transfer_coefficient_W_per_m2K > 0; }) ||
+        here.any(scene.grips, [](const auto& g) { return g.temperature_C.has_value(); });
     const bool uneven =
         here.any(scene.bodies, [](const auto& b) { return b.temperature_C.has_value(); }) ||
         here.any(scene.emitters, [](const auto& e) { return e.temperature_C.has_value(); }) ||
         here.any(here.materials, [&](const auto* m) { return m->initial_temperature_C != here.materials.front()->initial_temperature_C; });
-    return exchanged || uneven || here.template cools<Water>() ? ""
-                                                               : "no exchange_W_per_m2K is above zero and everything starts equally warm";
+    return exchanged || uneven || here.template cools<Water>()
+               ? ""
+               : "no heat_transfer_coefficient_W_per_m2K is above zero and everything starts equally warm";
   }
   static const char* coefficient(const Material& own) {
     if (own.specific_heat_J_per_kgK > 0) return "specific_heat_J_per_kgK";

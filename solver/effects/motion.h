@@ -182,7 +182,7 @@ struct Motion : Effect {
 
   static std::string idle(const auto& here) {
     const auto moves = [](const auto& thing) { return thing.motion.size() > 1; };
-    const auto starts = [](const auto& body) { return length(body.velocity_m_per_s) > 0 || length(body.spin_rad_per_s) > 0; };
+    const auto starts = [](const auto& body) { return length(body.velocity_m_per_s) > 0 || length(body.angular_velocity_rad_per_s) > 0; };
     const auto& scene = here.scene;
     const bool pushed = length(scene.template of<Motion>().gravity_m_per_s2) > 0 || !scene.emitters.empty() ||
                         here.any(scene.colliders, moves) || here.any(scene.grips, moves) || here.any(scene.bodies, starts);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The transfers of one block of particles: gather, physics, scatter.
+// The fused transfers (G2P2G) of one block of particles: gather from the grid (G2P), physics, scatter to the grid (P2G).
 #pragma once
 
 #include <memory>
@@ -12,7 +12,8 @@
 
 namespace bake {
 
-/// What a particle would have scattered, had it stayed near its block: done later, serially, in block order.
+/// A particle that moved too far from its home block to scatter into the block's tile. It keeps what it has to scatter; the engine
+/// moves it to its new home and scatters it after the pass, serially and in block order.
 template <class Real>
 struct Migrant {
   std::int32_t home;  ///< index of its home block
@@ -22,13 +23,13 @@ struct Migrant {
   std::vector<Real> rows;  ///< values and coefficients of the node offsets about the particle, four rows
 };
 
-/// Everything a block needs of the rest of the world.
+/// Everything that the kernel needs besides the block itself.
 template <class Real>
 struct BlockWork {
   ParticleStore<Real>* store = nullptr;
   const Physics<Real>* physics = nullptr;
-  const Real* gathered = nullptr;  ///< grid that is read: rows of gathered_row() numbers
-  Real* scattered = nullptr;       ///< grid that is added to: rows of scattered_row() numbers
+  const Real* gathered = nullptr;  ///< the grid that the gather reads: rows of gathered_row() numbers
+  Real* scattered = nullptr;       ///< the grid that the scatter adds to: rows of scattered_row() numbers
   Step<Real> step;
   Real* velocity = nullptr;  ///< if not null: [tile][3][W]
   const Contacts* contacts = nullptr;
@@ -40,7 +41,7 @@ struct BlockWork {
 /// Columns of blocks along z, each a range of home blocks.
 using BlockColumns = std::vector<std::pair<std::int32_t, std::int32_t>>;
 
-/// Per-block output.
+/// What one block's transfers report.
 template <class Real>
 struct BlockResult {
   Budget booked{};
@@ -71,8 +72,8 @@ template <class Real>
 class BlockKernel {
  public:
   virtual ~BlockKernel() = default;
-  virtual int scattered_row() const = 0;  ///< numbers per node of the grid that is added to
-  virtual int gathered_row() const = 0;   ///< numbers per node of the grid that is read
+  virtual int scattered_row() const = 0;  ///< numbers per node of the grid that the scatter adds to
+  virtual int gathered_row() const = 0;   ///< numbers per node of the grid that the gather reads
   /// Gather, physics and scatter of all particles of home block `index`.
   virtual void advance(const BlockWork<Real>&, int index, Scratch<Real>&, BlockResult<Real>&, bool totals) const = 0;
   /// The values and node coefficients of W particles at `x` (block-relative, in node distances), turned into one row set each:

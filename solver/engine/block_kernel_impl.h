@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How one block's transfers are done fast.
+// The fused transfers (G2P2G) of one block.
 //
-// A block's 8x8x8 nodes (-1..6 of the block) are copied into a tile in the first-level cache, particles are taken W at a
-// time, and what they scatter is summed in a second tile that is added to the grid at the end. Particles may drift one
-// node distance out of their block and still find their stencil in the tile.
+// The 8x8x8 nodes around a block (-1..6) are copied into a tile in the first-level cache. The particles are taken W at a time, and what
+// they scatter is summed in a second tile, which is added to the grid at the end. Particles may drift one node distance out of their
+// block and still find their stencil in the tile.
 //
-// A core makes two multiply-adds, two sums, two loads and one store a cycle: products are shared, sums replace multiply-adds, and
-// stores are few.
+// A core makes two multiply-adds, two sums, two loads and one store per cycle. So the code shares products, replaces multiply-adds by sums,
+// and stores seldom.
 #pragma once
 
 #include <algorithm>
@@ -195,7 +195,7 @@ class BlockKernelOf final : public BlockKernel<Real> {
     });
   }
 
-  /// Adds the tile to the grid and clears it.
+  /// Adds the scattered tile to the grid and clears it.
   static void flush(Real* grid, const HomeBlock& block, Real* tile) {
     using R = Row<Real, RS>;
     for_each_run(block, [&](std::size_t tile_row, std::size_t grid_row, int count) {

@@ -33,7 +33,7 @@ Contacts::Contacts(const Scene& scene, const GridGeometry& geometry) : face_fric
                     c.friction,
                     c.expels,
                     c.temperature_C,
-                    c.exchange_W_per_m2K,
+                    c.heat_transfer_coefficient_W_per_m2K,
                     path.moves() ? path.largest_speed(c.shape->bounds()) : 0});
   }
   for (const Grip& g : scene.grips) {
@@ -143,7 +143,7 @@ std::optional<ContactHeat> Contacts::covering(const Point& x, const std::optiona
     if (p.contact->rule == Rule::grip || !reaches(p, x, reach)) continue;
     if (n && dot(p.contact->scripted.normal(p.pose, x), *n) > -0.5) continue;  // the surface looks elsewhere
     if (!p.contact->temperature) return ContactHeat{};
-    return ContactHeat{p.contact->exchange, p.temperature};
+    return ContactHeat{p.contact->heat_transfer_coefficient, p.temperature};
   }
   return std::nullopt;
 }

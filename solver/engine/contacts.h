@@ -15,8 +15,8 @@ struct Scene;
 
 /// Heat that a collider offers to the dough it touches.
 struct ContactHeat {
-  double exchange = 0;     ///< beta [W/(m^2 K)]
-  double temperature = 0;  ///< theta [C]
+  double heat_transfer_coefficient = 0;  ///< beta [W/(m^2 K)]
+  double temperature = 0;                ///< theta [C]
   bool operator==(const ContactHeat&) const = default;
 };
 
@@ -52,7 +52,7 @@ class Contacts final : public Obstacles {
     double friction;
     bool expels;
     std::optional<Curve> temperature;
-    double exchange;
+    double heat_transfer_coefficient;
     double speed;  ///< largest over its whole path [m/s]
   };
   struct Present {

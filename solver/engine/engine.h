@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The engine: one scatter, one grid update, one gather per step, with the gather of a step and the scatter of the next in one
-// pass over the particles.
+// The engine: one scatter (P2G), one grid update and one gather (G2P) per step. The gather of a step and the scatter of the next are
+// fused into one pass over the particles (G2P2G). docs/fused_step.md is a map of it.
 //
 // Between passes the state is: the particles' columns, the scattered grid, the time, and the step that the grid was
 // scattered for. Velocity, stress and fluxes live in registers inside the pass and are stored nowhere. That state is what a
@@ -118,8 +118,8 @@ class Engine {
   std::vector<BlockResult<Real>> results_;  ///< of the home blocks in a pass
   std::vector<Budget> block_budgets_;       ///< of the grid's blocks in an update
   ImplicitHeat<Real> implicit_heat_;
-  std::vector<Real> heat_weight_, exchange_;  ///< of the nodes, for backward Euler
-  std::vector<NodeSums<Real>> sums_;          ///< of the nodes, W at a time, for backward Euler with water
+  std::vector<Real> heat_weight_, heat_transfer_;  ///< of the nodes, for backward Euler
+  std::vector<NodeSums<Real>> sums_;               ///< of the nodes, W at a time, for backward Euler with water
 
   double time_ = 0, dt_ = 0;
   std::int64_t next_identity_ = 0;

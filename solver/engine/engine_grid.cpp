@@ -68,7 +68,8 @@ void Engine<Real>::update_grid() {
   active_.find_touched(store_.blocks);
   Air air;
   if (physics_->needs_surface) {
-    air = {scene_.oven.exchange_W_per_m2K(time_), scene_.oven.temperature_C(time_), scene_.oven.equilibrium_saturation(time_)};
+    air = {scene_.oven.heat_transfer_coefficient_W_per_m2K(time_), scene_.oven.temperature_C(time_),
+           scene_.oven.equilibrium_saturation(time_)};
     if (scene_.surface.form == Form::standard)
       surface_.measure(scattered_.data(), scattered_row(), physics_->volume_channel, active_, geometry_, contacts_);
     else
@@ -77,7 +78,7 @@ void Engine<Real>::update_grid() {
   const std::size_t blocks = active_.at.size(), nodes = blocks * k_block_nodes;
   gathered_.resize_and_forget(nodes * static_cast<std::size_t>(gathered_row()));
   const bool implicit = physics_->implicit_heat;
-  if (implicit) heat_weight_.assign(nodes, Real(0)), exchange_.assign(nodes, Real(0));
+  if (implicit) heat_weight_.assign(nodes, Real(0)), heat_transfer_.assign(nodes, Real(0));
   if (implicit && physics_->moves_mass) sums_.resize(blocks * k_packs<Real>);
   block_budgets_.resize(blocks);
   for_each_parallel(blocks, 16, [&](std::size_t s) {
@@ -87,7 +88,7 @@ void Engine<Real>::update_grid() {
   if (implicit) {
     const BlockWork<Real> w = work(step);
     booked_[static_cast<std::size_t>(physics_->heat_entry)] +=
-        implicit_heat_.solve(*kernel_, w, colours_.columns, scratch_, heat_weight_, exchange_, physics_->temperature_channel, dt_,
+        implicit_heat_.solve(*kernel_, w, colours_.columns, scratch_, heat_weight_, heat_transfer_, physics_->temperature_channel, dt_,
                              physics_->heat_tolerance, gathered_);
     if (physics_->moves_mass)
       for (std::size_t s = 0; s < blocks; ++s)
@@ -132,7 +133,7 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
     if (physics_->implicit_heat) {
       const std::size_t node = s * k_block_nodes + n;
       std::memcpy(&heat_weight_[node], &sums[pack].heat_weight, sizeof(Lanes<Real>));
-      std::memcpy(&exchange_[node], &around.exchange, sizeof(Lanes<Real>));
+      std::memcpy(&heat_transfer_[node], &around.heat_transfer, sizeof(Lanes<Real>));
     }
   }
   if (force_) change_velocities(s, sums, out, booked, [&](const Point& x, const Vector3& v) { return force_(x, v, time_, dt_); });
@@ -169,8 +170,8 @@ Surroundings<Real> Engine<Real>::surroundings(int pack, const BlockSurroundings<
   around.saturation = lanes<Real>(static_cast<Real>(air.saturation));
   if (surface) {
     around.area = *reinterpret_cast<const Lanes<Real>*>(surface->area + first);
-    around.exchange = *reinterpret_cast<const Lanes<Real>*>(surface->exchange + first);
-    around.exchange_source = *reinterpret_cast<const Lanes<Real>*>(surface->exchange_source + first);
+    around.heat_transfer = *reinterpret_cast<const Lanes<Real>*>(surface->heat_transfer + first);
+    around.heat_transfer_source = *reinterpret_cast<const Lanes<Real>*>(surface->heat_transfer_source + first);
   }
   return around;
 }

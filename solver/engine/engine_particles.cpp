@@ -72,7 +72,9 @@ void Engine<Real>::add(const std::vector<NewParticle>& particles, bool poured) {
         for (int d = 0; d < 3; ++d) columns[kept_velocity + d][l] = static_cast<Real>(p.velocity[static_cast<std::size_t>(d)]);
       Real* s = start.data() + t * 12 * W + l;
       for (int d = 0; d < 3; ++d) s[d * W] = static_cast<Real>(p.velocity[static_cast<std::size_t>(d)]);
-      const double C[9] = {0, -p.spin[2], p.spin[1], p.spin[2], 0, -p.spin[0], -p.spin[1], p.spin[0], 0};
+      const double C[9] = {0, -p.angular_velocity[2], p.angular_velocity[1],  p.angular_velocity[2],
+                           0, -p.angular_velocity[0], -p.angular_velocity[1], p.angular_velocity[0],
+                           0};
       for (int c = 0; c < 9; ++c) s[(3 + c) * W] = static_cast<Real>(C[c]);
     }
   next_identity_ += static_cast<std::int64_t>(particles.size());

@@ -17,8 +17,8 @@ struct NewParticle {
   double volume;
   std::int32_t material;
   Vector3 velocity;
-  Vector3 spin;      ///< [rad/s]; its velocity field is already in `velocity`
-  const Body* body;  ///< start temperature, saturation, leavener
+  Vector3 angular_velocity;  ///< [rad/s]; its velocity field is already in `velocity`
+  const Body* body;          ///< start temperature, saturation, leavener
 };
 
 /// A force that no scene has (a study's): the velocity [m/s] that a node at `x` [m] has after it, if the step's other forces left the

@@ -35,8 +35,9 @@ double dot_product(const std::vector<Real>& a, const std::vector<Real>& b) {
 
 template <class Real>
 double ImplicitHeat<Real>::solve(const BlockKernel<Real>& kernel, BlockWork<Real> work, const BlockColumns (&colours)[4],
-                                 std::vector<Scratch<Real>>& scratch, const std::vector<Real>& weight, const std::vector<Real>& exchange,
-                                 int temperature_channel, double dt, double tolerance, AlignedBuffer<Real>& grid) {
+                                 std::vector<Scratch<Real>>& scratch, const std::vector<Real>& weight,
+                                 const std::vector<Real>& heat_transfer, int temperature_channel, double dt, double tolerance,
+                                 AlignedBuffer<Real>& grid) {
   const std::size_t n = weight.size(), gathered_row = static_cast<std::size_t>(kernel.gathered_row()),
                     scattered_row = static_cast<std::size_t>(kernel.scattered_row());
   in_.resize_and_forget(n * gathered_row);
@@ -96,7 +97,7 @@ double ImplicitHeat<Real>::solve(const BlockKernel<Real>& kernel, BlockWork<Real
       Real* rows = grid.data() + i * gathered_row + temperature_channel;
       rows[0] += correction;
       rows[-1] += correction;
-      booked -= dt * static_cast<double>(exchange[i]) * static_cast<double>(correction);
+      booked -= dt * static_cast<double>(heat_transfer[i]) * static_cast<double>(correction);
     } else {
       booked += static_cast<double>(Kp_[i]);
     }

@@ -81,11 +81,11 @@ struct Report {
 template <class Real>
 struct Surroundings {
   using V = Lanes<Real>;
-  V area;             ///< free surface [m^2]
-  V exchange;         ///< sum of area times beta over air and hot colliders [W/K]
-  V exchange_source;  ///< sum of area times beta times theta_out [W]
-  V saturation;       ///< s_out of the air
-  V held;             ///< temperature that a grip holds [C]
+  V area;                  ///< free surface [m^2]
+  V heat_transfer;         ///< sum of area times beta over air and hot colliders [W/K]
+  V heat_transfer_source;  ///< sum of area times beta times theta_out [W]
+  V saturation;            ///< s_out of the air
+  V held;                  ///< temperature that a grip holds [C]
   LaneMask<Real> is_held;
 };
 
@@ -94,7 +94,7 @@ template <class Real>
 struct NodeSums {
   using V = Lanes<Real>;
   V inertia{};      ///< what moves, the water that evaporates in this step included [kg]
-  V heat_weight{};  ///< heat per degree, exchange included; 0 where the temperature is held [J/K] (backward Euler)
+  V heat_weight{};  ///< heat per degree, heat transfer included; 0 where the temperature is held [J/K] (backward Euler)
   V moved{};        ///< change of the water, evaporation included [kg]
   V evaporated{};   ///< [kg]
   V heat_taken{};   ///< by what changes state at the nodes [J]

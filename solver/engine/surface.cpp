@@ -279,20 +279,21 @@ bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& activ
   const Nodes& V = volume_[s];
   bool any = false;
   Halo<Real> halo;
-  const auto add = [&](auto density_of, Real(&area)[k_block_nodes], double exchange, double temperature) {
+  const auto add = [&](auto density_of, Real(&area)[k_block_nodes], double coefficient, double temperature) {
     if (!load_halo(active.around[s], density_of, halo)) return;
     if (!any) out = {};
     any = true;
     Nodes r;
     blur(halo, Real(1), r);
-    const auto beta = static_cast<Real>(exchange), beta_theta = static_cast<Real>(exchange * temperature);
+    const auto beta = static_cast<Real>(coefficient), beta_theta = static_cast<Real>(coefficient * temperature);
     for (std::size_t k = 0; k < k_block_nodes; ++k) {
       area[k] += V[k] * r[k];
-      out.exchange[k] += V[k] * (beta * r[k]);
-      out.exchange_source[k] += V[k] * (beta_theta * r[k]);
+      out.heat_transfer[k] += V[k] * (beta * r[k]);
+      out.heat_transfer_source[k] += V[k] * (beta_theta * r[k]);
     }
   };
-  add([&](std::size_t i) { return blocks_[i].has_density ? &density_[i] : nullptr; }, out.area, air.exchange, air.temperature);
+  add([&](std::size_t i) { return blocks_[i].has_density ? &density_[i] : nullptr; }, out.area, air.heat_transfer_coefficient,
+      air.temperature);
   for (const ContactHeat& heat : heats_)
     add(
         [&](std::size_t i) -> const Nodes* {
@@ -300,7 +301,7 @@ bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& activ
             if (cover.heat == heat) return &cover.density;
           return nullptr;
         },
-        out.contact_area, heat.exchange, heat.temperature);
+        out.contact_area, heat.heat_transfer_coefficient, heat.temperature);
   return any;
 }
 

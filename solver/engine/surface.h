@@ -9,7 +9,7 @@
 // vapour leave from where there is dough. Second order for smooth bodies.
 // DEPARTS [Ding19 Sec. 6.6]: the printed quadrature over boundary particles finds 25 to 40 % of a sphere, whatever dx.
 // DEPARTS [Ding19 Sec. 6.2-6.4]: fluxes through the surface are taken at the nodes, from the temperature and saturation of the
-// same step, and not at particles from those of the last: one smoothing less, and the exchange can be implicit.
+// same step, and not at particles from those of the last: one smoothing less, and the heat transfer can be implicit.
 #pragma once
 
 #include <array>
@@ -23,17 +23,17 @@ namespace bake {
 /// What the surroundings do at the nodes of one block.
 template <class Real>
 struct BlockSurroundings {
-  alignas(64) Real area[k_block_nodes];             ///< free, touching air [m^2]
-  alignas(64) Real exchange[k_block_nodes];         ///< sum of area times beta [W/K]
-  alignas(64) Real exchange_source[k_block_nodes];  ///< sum of area times beta times theta_out [W]
-  alignas(64) Real contact_area[k_block_nodes];     ///< touching a solid [m^2]
+  alignas(64) Real area[k_block_nodes];                  ///< free, touching air [m^2]
+  alignas(64) Real heat_transfer[k_block_nodes];         ///< sum of area times beta [W/K]
+  alignas(64) Real heat_transfer_source[k_block_nodes];  ///< sum of area times beta times theta_out [W]
+  alignas(64) Real contact_area[k_block_nodes];          ///< touching a solid [m^2]
 };
 
 /// The air of a step.
 struct Air {
-  double exchange = 0;     ///< beta [W/(m^2 K)]
-  double temperature = 0;  ///< theta_out [C]
-  double saturation = 0;   ///< s_out
+  double heat_transfer_coefficient = 0;  ///< beta [W/(m^2 K)]
+  double temperature = 0;                ///< theta_out [C]
+  double saturation = 0;                 ///< s_out
 };
 
 template <class Real>

@@ -98,8 +98,9 @@ void FreeSurfaceMeasure<Real>::measure_published(const ParticleStore<Real>& stor
       const auto cover = near_contact && out.area[k] > 0 ? contacts.covering(x, std::nullopt, geometry.dx()) : std::nullopt;
       const Real A = out.area[k];
       if (cover) out.contact_area[k] = A, out.area[k] = 0;
-      out.exchange[k] = A * static_cast<Real>(cover ? cover->exchange : air.exchange);
-      out.exchange_source[k] = A * static_cast<Real>(cover ? cover->exchange * cover->temperature : air.exchange * air.temperature);
+      out.heat_transfer[k] = A * static_cast<Real>(cover ? cover->heat_transfer_coefficient : air.heat_transfer_coefficient);
+      out.heat_transfer_source[k] = A * static_cast<Real>(cover ? cover->heat_transfer_coefficient * cover->temperature
+                                                                : air.heat_transfer_coefficient * air.temperature);
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// From a tile's nodes to particles, one at a time, a register being one node's row: sums along z, then y, then x carry the value and its
-// three moments together. The result is transposed so that the physics sees lanes of particles.
+// The gather (grid to particles, G2P): from a tile's nodes to particles, one particle at a time. A register holds one node's row. Sums
+// along z, then y, then x carry the value and its three moments together. The result is transposed, so that the physics sees lanes of
+// particles.
 #pragma once
 
 #include "solver/core/rows.h"
@@ -15,14 +16,14 @@ class Gather {
   using S = Stencil<Real, order>;
   static constexpr int W = k_width<Real>;
   static constexpr int N = Kernel<order>::support;
-  /// Where a register holds two rows, the tile keeps each row twice, side by side: a multiply-add then serves the value with its lower
-  /// half and the derivative along z with its upper.
+  /// Where a register holds two rows, the tile keeps each row twice, side by side. The lower half of a multiply-add then computes the
+  /// value, the upper half the derivative along z.
   static constexpr bool k_twins = RowPair<Real, RG>::k_chunks == 1;
 
  public:
   static constexpr int k_row = k_twins ? 2 * RG : RG;  ///< numbers per node in the tile
 
-  /// Takes one node's row of the grid into the tile.
+  /// Copies one node's row from the grid into the tile.
   BAKE_INLINE static void load(const Real* grid, Real* tile) {
     const auto row = Row<Real, RG>::load(grid);
     for (int twin = 0; twin < k_row; twin += RG) row.store(tile + twin);
@@ -44,7 +45,7 @@ class Gather {
   }
 
  private:
-  /// Weights of W particles per axis, in memory, lane by lane.
+  /// The weights of W particles for each axis, stored lane by lane.
   struct AxisWeights {
     alignas(64) Real w[3][N][W];
     alignas(64) Real z_moment[N][W];  ///< (l - 1) w_l along z
@@ -62,7 +63,7 @@ class Gather {
   struct Moments {
     R value, moment;
   };
-  /// sum w_i a_i and sum (i - 1) w_i a_i: products are shared, sums leave the multipliers to others.
+  /// sum w_i a_i and sum (i - 1) w_i a_i: products are shared, and sums leave the multipliers free.
   template <class R>
   BAKE_INLINE static Moments<R> moments(const R (&a)[N], const Real (*w)[W], int p) {
     const R first = a[0] * w[0][p], third = a[2] * w[2][p];
@@ -75,7 +76,7 @@ class Gather {
     return sums;
   }
 
-  /// One particle's sums, from its first node on: values, then moments along x, y and z. A line of nodes along z becomes a double row,
+  /// The sums of one particle, from its first node on: values, then moments along x, y and z. A line of nodes along z becomes a double row,
   /// its value in the lower half and its moment in the upper, so that the sums along y and x serve both.
   BAKE_INLINE static void one_particle(const Real* first, const AxisWeights& weights, int p, Real* out) {
     using R = Row<Real, RG>;

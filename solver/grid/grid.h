@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The grid: a box of nodes of which only the blocks around particles exist.
 //
-// Nodes are grouped in blocks of 4x4x4. A node is a row of numbers that were scattered and another, shorter, of those that the grid
-// update made of them to be gathered. Blocks come into being where particles are: the 27 around every home block.
+// Nodes are grouped in blocks of 4x4x4. Each node has two rows of numbers: what particles scattered to it, and the shorter row that the
+// grid update makes of it and that particles gather. Only the 27 blocks around every home block of particles are stored.
 #pragma once
 
 #include <algorithm>
@@ -17,21 +17,21 @@
 namespace bake {
 
 inline constexpr int k_block_nodes = 64;
-/// Nodes beyond a face of the domain into which dough is mirrored for the measure of its surface: dough reaches the first, whose area
-/// depends on the volume of three more.
+/// The surface measure mirrors dough into this many nodes beyond a face of the domain: dough reaches the first, and the area there depends
+/// on the volume of three more.
 inline constexpr int k_mirrored = 4;
 
-/// Packs of W nodes in a block.
+/// How many packs of W nodes a block has.
 template <class Real>
 inline constexpr int k_packs = k_block_nodes / k_width<Real>;
 
-/// Node of a block, 0..63, from its coordinates 0..3.
+/// The number of a node in its block, 0..63, from its coordinates 0..3.
 constexpr int node_in_block(int x, int y, int z) { return (x * 4 + y) * 4 + z; }
 
 /// Its inverse.
 constexpr std::array<int, 3> coordinates_in_block(int node) { return {node / 16, node / 4 % 4, node % 4}; }
 
-/// Where that node is [m], of a block whose first one is at `origin`.
+/// The position of a node [m] in a block whose first node is at `origin`.
 inline Point node_position(const Point& origin, double dx, int node) {
   const auto [x, y, z] = coordinates_in_block(node);
   return origin + dx * Vector3{double(x), double(y), double(z)};
@@ -40,8 +40,8 @@ inline Point node_position(const Point& origin, double dx, int node) {
 /// Where blocks and nodes are in space.
 class GridGeometry {
  public:
-  /// `low`, `high`: corners of the domain [m]. The lower one is a node, eight nodes in from the grid's first: a stencil at a face stays
-  /// inside.
+  /// `low`, `high`: corners of the domain [m]. The lower corner is a node, eight nodes from the grid's first, so that a stencil at a
+  /// face stays inside the grid.
   GridGeometry(const Point& low, const Point& high, double dx) : dx_(dx) {
     for (int d = 0; d < 3; ++d) {
       origin_[d] = low[d] - k_margin * dx;
@@ -76,13 +76,13 @@ class GridGeometry {
 /// Which blocks exist, and in which order they are kept.
 struct ActiveBlocks {
   std::vector<BlockIndex> at;
-  std::vector<std::int32_t> slot_of;  ///< by linear block number; -1: not there
+  std::vector<std::int32_t> slot_of;  ///< by linear block number; -1: not stored
 
-  std::vector<std::array<std::int32_t, 27>> around;  ///< slots of a block's neighbours and its own, as in HomeBlock; -1: not there
+  std::vector<std::array<std::int32_t, 27>> around;  ///< slots of a block's neighbours and its own, as in HomeBlock; -1: not stored
   std::vector<char> touched;                         ///< by slot: may something have been scattered to its nodes?
 
-  /// Makes the 27 blocks around every home block, and those that dough is mirrored into at a face of the domain, in order of first
-  /// use; writes the neighbour tables.
+  /// Creates the 27 blocks around every home block, and those into which dough is mirrored at a face of the domain, in the order in which
+  /// they are first used; writes the neighbour tables.
   void surround(std::vector<HomeBlock>& homes, const GridGeometry& geometry) {
     if (slot_of.size() != geometry.block_count()) slot_of.assign(geometry.block_count(), -1);
     for (const BlockIndex& b : at) slot_of[geometry.linear(b)] = -1;
@@ -95,7 +95,7 @@ struct ActiveBlocks {
     for (std::size_t s = 0; s < at.size(); ++s)
       for (int i = 0; i < 27; ++i) around[s][static_cast<std::size_t>(i)] = slot_at(neighbour(at[s], i), geometry);
   }
-  /// Finds out which blocks the homes' particles scattered to.
+  /// Marks the blocks to which the particles of the homes scattered.
   void find_touched(const std::vector<HomeBlock>& homes) {
     touched.assign(at.size(), 0);
     for (const HomeBlock& home : homes) {

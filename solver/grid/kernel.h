@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// B-spline weights of a particle, per axis and on lanes.
+// The B-spline weights of W particles (lanes) on each axis.
 //
 // Positions are measured in node distances from the block's first node. `base` is the first node of the stencil,
 // `offset` the distance from the reference node base + 1, in which the nodes of the stencil stand at the integers
@@ -21,7 +21,7 @@ struct Kernel<KernelOrder::quadratic> {
   static constexpr int support = 3;
   static constexpr int inverse_d = 4;  ///< D^-1 dx^2
   static constexpr double base_shift = 0.5;
-  /// Bases from which a stencil stays inside a block's 8x8x8 tile of nodes -1..6.
+  /// The bases with which a stencil stays inside the 8x8x8 tile of nodes -1..6 around a block.
   static constexpr int lowest_base = -1, highest_base = 4;
 
   template <class Real>
@@ -50,7 +50,7 @@ struct Kernel<KernelOrder::cubic> {
   }
 };
 
-/// Stencils of W particles.
+/// The stencils of W particles.
 template <class Real, KernelOrder order>
 struct Stencil {
   using V = Lanes<Real>;
@@ -61,7 +61,7 @@ struct Stencil {
 
   /// `x`: positions in node distances from the block's first node.
   BAKE_INLINE explicit Stencil(const V (&x)[3]) {
-    constexpr Real k_lift = 8;  // keeps the truncation below a floor
+    constexpr Real k_lift = 8;  // positive, so that truncation rounds down
     for (int d = 0; d < 3; ++d) {
       const V lifted = x[d] + Real(k_lift - K::base_shift);
       base[d] = __builtin_convertvector(__builtin_convertvector(lifted, LaneMask<Real>), V) - k_lift;

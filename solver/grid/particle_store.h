@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where particles live: tiles of W particles, tiles grouped by home block.
+// The store of all particles: tiles of W particles, grouped by home block.
 //
 // A tile holds one column after another, each W numbers wide (one cache line in single precision on AVX-512), and
 // particles of one material only, so that material constants are scalars in the physics. Particles of a block are
@@ -18,7 +18,7 @@
 
 namespace bake {
 
-/// Numbers on 64-byte boundaries, zero at first; growing forgets the contents.
+/// A buffer on a 64-byte boundary. It is zero at first, and its contents are lost when it grows.
 template <class Real>
 class AlignedBuffer {
  public:
@@ -62,7 +62,7 @@ struct Tile {
   std::int32_t count;  ///< lanes that hold a particle; the others repeat the last one and are never scattered
 };
 
-/// A block that is home to particles.
+/// A block of nodes that is the home of some particles.
 struct HomeBlock {
   BlockIndex at;
   std::int32_t first_tile;
@@ -90,11 +90,11 @@ struct ParticleStore {
   }
 };
 
-/// Column 0..2 is the position, column 3 the identity: the engine needs both, the effects name the rest.
+/// Columns 0..2 are the position and column 3 is the identity, which the engine needs. The effects name all other columns.
 inline constexpr int k_position_column = 0;
 inline constexpr int k_identity_column = 3;
 
-/// The number that a particle keeps for life; its bits are stored in a column.
+/// The number that identifies a particle during the whole run; its bits are stored in a column.
 template <class Real>
 std::int64_t identity_of(const Lanes<Real>* columns, int lane) {
   const Real bits = columns[k_identity_column][lane];

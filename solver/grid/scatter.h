@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From particles to a tile's nodes, one particle at a time: with a' the value at the reference node and B the coefficients of the node
-// offsets, node (j, k, l) receives w_j w_k w_l (a' + j B_x + k B_y + l B_z).
+// The scatter (particles to grid, P2G): from particles to a tile's nodes, one particle at a time. Node (j, k, l) receives
+// w_j w_k w_l (a' + j B_x + k B_y + l B_z), where a' is the value at the reference node and B holds the coefficients of the node offsets.
 #pragma once
 
 #include "solver/core/rows.h"
@@ -8,7 +8,7 @@
 
 namespace bake {
 
-/// Of the widest rows that are compiled: numbers, and those of them that may have coefficients of the node offsets.
+/// The widest rows that are compiled: how many numbers they have, and how many of these may have coefficients of the node offsets.
 inline constexpr int k_most_channels = 16, k_most_moments = 8;
 
 /// Rows of RS numbers.
@@ -20,23 +20,23 @@ class Scatter {
   static constexpr int N = Kernel<order>::support;
 
  public:
-  /// From lanes of coefficients about the particles to one set of four rows per particle, about the reference node.
+  /// Turns lanes of coefficients about the particles into one set of four rows per particle, about the reference node.
   BAKE_INLINE static void coefficients_to_rows(const S& s, V* coefficients, int moments, Real* rows) {
     for (int c = 0; c < moments; ++c)
       for (int axis = 0; axis < 3; ++axis) coefficients[c] -= coefficients[(1 + axis) * RS + c] * s.offset[axis];
     lanes_to_rows<RS>(coefficients, rows, 4 * RS);
     for (int axis = 1; axis < 4; ++axis) {
       V slopes[RS];
-      for (int c = 0; c < RS; ++c) slopes[c] = c < k_most_moments ? coefficients[axis * RS + c] : V{};  // which leaves out shuffles
+      for (int c = 0; c < RS; ++c) slopes[c] = c < k_most_moments ? coefficients[axis * RS + c] : V{};  // spares shuffles
       lanes_to_rows<RS>(slopes, rows + axis * RS, 4 * RS);
     }
   }
 
-  /// Adds the particles below `count` that are not `outside` to the tile. Neighbours are often of one cell (particles are sorted): the
-  /// sums of a cell's nodes stay in registers until another cell's particle comes, for stores are what the scatter has most of.
+  /// Adds the particles below `count` that are not `outside` to the tile. Particles are sorted, so neighbours often share a cell: the sums
+  /// of a cell's nodes stay in registers until a particle of another cell comes. This saves stores, which limit the scatter.
   BAKE_INLINE static void particles(const S& stencil, const Real* rows, LaneMask<Real> outside, int count, Real* tile) {
     const NodeWeights weights(stencil);
-    constexpr int k_sums = k_register_bytes == 64 ? 27 : 9;  // registers for them
+    constexpr int k_sums = k_register_bytes == 64 ? 27 : 9;  // as many as the registers hold
     constexpr int k_line = N * Row<Real, RS>::k_chunks;
     constexpr int J = N * N * k_line <= k_sums ? N : 1, K = N * k_line <= k_sums ? N : 1;
     int begin = 0;
@@ -54,7 +54,7 @@ class Scatter {
   }
 
  private:
-  /// Weights of W particles per node of the stencil.
+  /// The weights of W particles for each node of the stencil.
   struct NodeWeights {
     alignas(64) Real w[N][N][N][W];
     alignas(64) std::int32_t node[W];
@@ -74,7 +74,7 @@ class Scatter {
                                     std::integer_sequence<int, I...>) {
     (lines<I / (N / K) * J, J, I % (N / K) * K, K>(weights, rows, begin, end, tile), ...);
   }
-  /// Of the stencils' lines of nodes along z, those j_0 to j_0 + J - 1 in x, k_0 to k_0 + K - 1 in y.
+  /// Scatters to a part of the stencil: its lines of nodes along z from j_0 to j_0 + J - 1 in x and from k_0 to k_0 + K - 1 in y.
   template <int j_0, int J, int k_0, int K>
   BAKE_INLINE static void lines(const NodeWeights& weights, const Real* rows, int begin, int end, Real* tile) {
     using R = Row<Real, RS>;

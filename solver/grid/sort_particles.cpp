@@ -28,9 +28,9 @@ namespace {
 /// Where a particle is now and where it goes.
 struct SortKey {
   std::uint32_t block;  ///< linear number of its new home
-  std::uint16_t cell;   ///< of that block
+  std::uint16_t cell;   ///< in that block
   std::uint16_t material;
-  std::uint32_t tile;  ///< in the sources one after the other
+  std::uint32_t tile;  ///< numbered through both sources, one after the other
   std::uint32_t lane;
 };
 
@@ -89,7 +89,8 @@ void sort_particles(const ParticleStore<Real>& from, const ParticleStore<Real>* 
       HomeBlock block{};
       block.at = geometry.block(b);
       block.at_face = may_reach_face(block.at, geometry);
-      for (int d = 0; d < 3; ++d) block.low[d] = 0, block.high[d] = k_tile_side - 1;  // until the first scatter says what is touched
+      for (int d = 0; d < 3; ++d)
+        block.low[d] = 0, block.high[d] = k_tile_side - 1;  // all of it, until the first scatter tells what it touched
       to.blocks.push_back(block);
     }
     first[b + 1] += first[b];
@@ -142,7 +143,7 @@ void sort_particles(const ParticleStore<Real>& from, const ParticleStore<Real>* 
         const std::size_t tile = old ? key.tile : key.tile - from.tiles.size();
         const Real* origin = source.data.data() + tile * source.tile_size() + key.lane;
         for (int c = 0; c < to.columns; ++c) target[c * W + l] = origin[c * W];
-        // from wherever it was to the new home: one whole cell in 0..3 per axis, the fraction is kept
+        // shifts the position to the new home by whole cells, to 0..3 on each axis; the fraction of a cell stays
         for (int d = 0; d < 3; ++d) {
           Real& x = target[d * W + l];
           x -= Real(4 * (static_cast<int>(std::floor(x - Real(0.5))) >> 2));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ordering: particles into their home blocks, within a block by material and cell.
+// Sorting: particles go to their home blocks, and are sorted within a block by material and cell.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@ template <class Real>
 void sort_particles(const ParticleStore<Real>& from, const ParticleStore<Real>* more, const GridGeometry& geometry,
                     const std::function<bool(std::int32_t tile, std::int32_t lane)>& leave_out, ParticleStore<Real>& to);
 
-/// Home block and position in it of a position that may have left `block`.
+/// The home block of a position that may have left `block`, and the position in it.
 template <class Real>
 struct Home {
   BlockIndex block;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tile: the 8x8x8 nodes -1..6 of a block, in the first-level cache.
+// A tile: a copy of the 8x8x8 nodes -1..6 around a block, small enough for the first-level cache.
 #pragma once
 
 #include "solver/grid/kernel.h"
@@ -11,7 +11,7 @@ inline constexpr int k_tile_side = 8;
 inline constexpr int k_tile_plane = 70;
 inline constexpr int k_tile_nodes = k_tile_side * k_tile_plane;
 
-/// Where in a tile with `row` numbers per node the first nodes' rows of W stencils start.
+/// For W stencils: where the row of their first node starts in a tile with `row` numbers per node.
 template <class Real, KernelOrder order>
 BAKE_INLINE void first_nodes(const Stencil<Real, order>& s, int row, std::int32_t* node) {
   const Lanes<Real> first = ((s.base[0] + 1) * Real(k_tile_plane) + (s.base[1] + 1) * Real(k_tile_side) + (s.base[2] + 1)) * Real(row);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that appear whole or not at all: written aside as `<name>.part`, flushed to disk, then renamed.
+// Files that appear complete or not at all: they are written as `<name>.part`, flushed to disk and renamed.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@
 
 namespace bake {
 
-/// A file being written beside `target`; commit() puts it in the place of `target`, any other end removes it.
-/// The first failing write is remembered and thrown later, by check() or commit(): the HDF5 driver on top must not see it.
+/// A file that is written beside `target`. commit() renames it to `target`; without commit() it is removed.
+/// The first failing write is remembered and thrown later by check() or commit(), because the HDF5 driver above must not see it.
 class AtomicFile {
  public:
-  /// Opens `<target>.part`, emptying what an interrupted run left there. Throws OutputError.
+  /// Opens `<target>.part` and truncates what an interrupted run left there. Throws OutputError.
   explicit AtomicFile(std::filesystem::path target);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
@@ -42,7 +42,7 @@ class AtomicFile {
   int first_error_ = 0;  ///< errno of the first failure
 };
 
-/// Writes `text` to `path`, whole or not at all. Throws OutputError.
+/// Writes `text` to `path`, completely or not at all. Throws OutputError.
 void write_text_atomically(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace bake

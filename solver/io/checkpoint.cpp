@@ -21,7 +21,7 @@ InputError refused(const std::filesystem::path& path, const std::string& what) {
   return InputError(fmt::format("{}: {}; resume from another checkpoint or start the run anew", path.string(), what));
 }
 
-/// Checksum of everything behind the heading; `read(offset, bytes)` returns how many bytes there were. Sets `size` to that of the file.
+/// The checksum of everything behind the heading; `read(offset, bytes)` returns how many bytes it has read. Sets `size` to the file's size.
 template <class Read>
 std::uint64_t body_checksum(Read read, std::uint64_t& size) {
   std::vector<std::byte> piece(k_piece);

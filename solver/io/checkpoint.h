@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checkpoints: named arrays and values, bit for bit, in one file that is known to be undamaged before it is used.
+// Checkpoints: named arrays and values, exact to the bit, in one file whose checksum is verified before it is used.
 //
 // An HDF5 file behind a heading of 512 bytes in plain text: format version, size and checksum of everything that follows.
 // HDF5 tools open it as usual (they skip the heading). The heading is checked first, because HDF5 1.10 can crash on damaged data.
@@ -21,11 +21,11 @@ namespace bake {
 inline constexpr int k_checkpoint_format = 1;
 inline constexpr std::size_t k_checkpoint_heading = 512;  ///< bytes
 
-/// Writes a checkpoint piece by piece into a file aside; commit() puts it in the place of `path`, whole.
+/// Writes a checkpoint piece by piece into a temporary file; commit() renames it to `path`.
 /// Every function throws OutputError. Each name can be used once.
 class CheckpointWriter {
  public:
-  /// `fingerprint` tells scenes apart: a resumed run must have the same.
+  /// `fingerprint` identifies the scene: a run that resumes must have the same one.
   CheckpointWriter(const std::filesystem::path& path, std::string_view fingerprint, Precision precision);
   template <Hdf5Number T>
   void add(const std::string& name, std::span<const T> values) {
@@ -43,7 +43,8 @@ class CheckpointWriter {
   Hdf5Writer out_;
 };
 
-/// Reads a checkpoint. Every function throws InputError: missing, foreign, cut short, damaged or newer file; missing name; wrong type.
+/// Reads a checkpoint. Every function throws InputError if the file is missing, no checkpoint, cut short, damaged or of
+/// another format, or if a name is missing or has another type.
 class CheckpointReader {
  public:
   /// Reads the whole file once to compare its checksum.

@@ -26,7 +26,7 @@ std::uint64_t take(std::span<const std::byte>& bytes) {
 
 std::uint64_t mixed(std::uint64_t state, std::uint64_t word) { return std::rotl(state + word * k_prime_2, 31) * k_prime_1; }
 
-/// The bulk: four independent states, 32 bytes at a time.
+/// Processes the bulk in four independent states, 32 bytes at a time.
 std::uint64_t take_stripes(std::span<const std::byte>& bytes, std::uint64_t seed) {
   std::array<std::uint64_t, 4> states{seed + k_prime_1 + k_prime_2, seed + k_prime_2, seed, seed - k_prime_1};
   while (bytes.size() >= 32) {
@@ -44,7 +44,7 @@ std::uint64_t take_rest(std::span<const std::byte> bytes, std::uint64_t hash) {
   return hash;
 }
 
-/// Lets every bit of the input reach every bit of the result.
+/// Mixes the result, so that every bit of the input affects every bit of it.
 std::uint64_t avalanched(std::uint64_t hash) {
   hash = (hash ^ (hash >> 33)) * k_prime_2;
   hash = (hash ^ (hash >> 29)) * k_prime_3;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Other programs: started, waited for.
+// Starts other programs and waits for them.
 #pragma once
 
 #include <filesystem>
@@ -8,14 +8,14 @@
 
 namespace bake {
 
-/// How a program that was called has ended.
+/// How a child program ended.
 struct ChildEnd {
-  int start_error = 0;  ///< the system's number of the reason why it could not be started
-  int exit_code = 0;    ///< or 128 + the signal that ended it, as shells have it
+  int start_error = 0;  ///< errno if it could not be started, else 0
+  int exit_code = 0;    ///< or 128 + the signal that ended it, as in shells
 };
 
-/// Runs a program and waits. `words`: its name (looked for in PATH unless it has a slash) and its arguments. It reads nothing; what it
-/// prints goes to the file `log`, or where our own output goes if `log` is empty.
+/// Runs a program and waits. `words`: its name (looked for in PATH unless it has a slash) and its arguments. Its standard
+/// input is empty; its output goes to the file `log`, or to our own output if `log` is empty.
 ChildEnd run_child(std::vector<std::string> words, const std::filesystem::path& log = {});
 
 }  // namespace bake

@@ -31,7 +31,7 @@ void check_lengths(const FrameData& frame) {
   }
 }
 
-/// Everything VTK wants to know of the cells: a single one, made of all particles.
+/// Writes the cells as VTK requires them: a single one, made of all particles.
 void write_cell(Hdf5Writer& out, std::size_t particles) {
   const auto count = static_cast<std::int64_t>(particles);
   std::vector<std::int64_t> connectivity(particles);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames of a run: particles as VTKHDF 1.0 files, which ParaView 5.11 and VTK 9.1 open as they are, and any HDF5 reader too.
+// Frames of a run: particles as VTKHDF 1.0 files, which ParaView 5.11 and VTK 9.1 open as they are, and that any HDF5 reader can read.
 //
 // Inside: group VTKHDF with Points [n, 3] in m, one poly-vertex cell over all particles, PointData/<name> with an attribute
 // `unit` each, and the simulated time as attribute `time_s` of VTKHDF. (VTKHDF's own time steps are unknown to VTK 9.1: times
@@ -30,17 +30,17 @@ struct FrameData {
   std::vector<FrameColumn> columns;
 };
 
-/// File name of a frame: 42 -> "0042.hdf". (ParaView knows the format by this ending only.)
+/// File name of a frame: 42 -> "0042.hdf". (ParaView recognises the format by this ending.)
 std::string frame_name(int frame);
 
-/// Writes one frame, whole or not at all, exactly as given (lossless compression). Throws OutputError, and
+/// Writes one frame, completely or not at all, with lossless compression. Throws OutputError, and
 /// std::invalid_argument if a column's length is not components x particles.
 void write_frame(const std::filesystem::path& path, double time_s, const FrameData& frame);
 
-/// A frame read back. Particles stand in the order of the file, which differs from frame to frame: `rows_by_identity` tells who is who.
+/// A frame that is read. Its particles have the order of the file, which differs from frame to frame: `rows_by_identity` finds a particle.
 class FrameReader {
  public:
-  /// Throws InputError: missing, damaged, or no frame.
+  /// Throws InputError if the file is missing, damaged or not a frame.
   explicit FrameReader(const std::filesystem::path& path);
 
   double time_s() const { return time_s_; }
@@ -64,7 +64,7 @@ struct SeriesEntry {
   double time_s;
 };
 
-/// Writes the list that ParaView opens as an animation. `path` must end in ".hdf.series" for ParaView to know it.
+/// Writes the list that ParaView opens as an animation. `path` must end in ".hdf.series" for ParaView to recognise it.
 void write_series(const std::filesystem::path& path, const std::vector<SeriesEntry>& entries);
 
 }  // namespace bake

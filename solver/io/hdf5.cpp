@@ -22,8 +22,8 @@ namespace {
 
 constexpr hsize_t k_chunk_rows = 16384;
 
-/// A chunk as HDF5's filters leave it: the first bytes of all numbers, then the second ones, and so on (shuffle), deflated.
-/// Rows that are missing at the array's end are zeros.
+/// A chunk as HDF5's filters would store it: shuffled (the first bytes of all numbers, then the second ones, and so on) and deflated.
+/// Rows beyond the end of the array are zeros.
 std::vector<std::byte> packed(const std::byte* values, std::size_t bytes, std::size_t chunk_bytes, std::size_t number_bytes) {
   const std::size_t numbers = chunk_bytes / number_bytes;
   std::vector<std::byte> shuffled(chunk_bytes);
@@ -36,10 +36,10 @@ std::vector<std::byte> packed(const std::byte* values, std::size_t bytes, std::s
   return small;
 }
 
-/// HDF5 prints its error stack unless told not to; the setting belongs to the thread.
+/// Stops HDF5 from printing its error stack in this thread.
 void silence_hdf5() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
-/// The innermost message of HDF5's error stack: where the trouble began.
+/// The innermost message of HDF5's error stack, which names the cause.
 std::string hdf5_reason() {
   std::string reason = "HDF5 gives no reason";
   const auto take = [](unsigned, const H5E_error2_t* error, void* to) -> herr_t {
@@ -135,7 +135,7 @@ void Hdf5Writer::write(const std::string& name, ElementType type, const void* va
     check(H5Dwrite(data, native_type(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
 }
 
-/// Packs the chunks here, side by side: HDF5's own filters take longer than the steps between two frames.
+/// Compresses the chunks here, in parallel: HDF5's own filters would take longer than the steps between two frames.
 void Hdf5Writer::write_packed(hid_t data, const std::string& name, std::size_t number_bytes, const std::byte* values,
                               const std::vector<hsize_t>& shape, hsize_t chunk_rows) {
   const std::size_t row_bytes = std::accumulate(shape.begin() + 1, shape.end(), number_bytes, std::multiplies<>());
@@ -191,7 +191,7 @@ void Hdf5Writer::close() { check(file_.close() ? 0 : -1, "/"); }
 // ---------------------------------------------------------------------------------------------------------------- reading
 
 Hdf5Reader::Hdf5Reader(std::filesystem::path path) : path_(std::move(path)) {
-  const int descriptor = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);  // HDF5 would not say why
+  const int descriptor = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC);  // HDF5 would not tell the reason
   if (descriptor < 0) throw InputError(fmt::format("{}: cannot open: {}", path_.string(), std::generic_category().message(errno)));
   ::close(descriptor);
   silence_hdf5();
@@ -212,7 +212,7 @@ void Hdf5Reader::check(herr_t status, const std::string& name) const {
 }
 
 bool Hdf5Reader::has(const std::string& name) const {
-  // HDF5 asks for every part of the path on its own
+  // HDF5 can only be asked for one part of a path at a time
   for (auto end = name.find('/', 1); end != std::string::npos; end = name.find('/', end + 1)) {
     if (H5Lexists(file_, name.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The little of HDF5 that this house needs: arrays, tables and attributes, written whole or not at all.
+// The part of HDF5 that Bake needs: arrays, tables and attributes, written completely or not at all.
 //
 // Names are paths inside the file ("VTKHDF/PointData/theta"); groups on the way are made as needed. HDF5 itself prints nothing:
-// what goes wrong is thrown as one line that names the file, the object and the reason.
+// errors are thrown as one line that names the file, the object and the reason.
 #pragma once
 
 #include <hdf5.h>
@@ -20,7 +20,7 @@
 
 namespace bake {
 
-/// Kinds of numbers in a file. `other_*` can be read as a number all the same (HDF5 converts); `none` is no number.
+/// Kinds of numbers in a file. `other_*` can still be read as a number (HDF5 converts it); `none` is not a number.
 enum class ElementType { float32, float64, int32, int64, uint64, uint8, other_real, other_whole, none };
 
 template <class T>
@@ -62,11 +62,11 @@ class Hdf5Handle {
 /// `none`: as fast as the disk. `shuffle_gzip`: about two thirds of the size; HDF5's own filters, so that every reader opens it.
 enum class Packing { none, shuffle_gzip };
 
-/// Writes an HDF5 file into `file`, which the caller commits after close(). Without close() the file is given up.
+/// Writes an HDF5 file into `file`, which the caller commits after close(). Without close() the file is discarded.
 /// Every function throws OutputError. The same contents give the same bytes (no time stamps).
 class Hdf5Writer {
  public:
-  /// The first `heading_bytes` (0, or a power of two from 512 on) are left to the caller: HDF5's own data begins behind them.
+  /// The first `heading_bytes` (0, or a power of two from 512 on) belong to the caller; HDF5's own data begins behind them.
   explicit Hdf5Writer(AtomicFile& file, std::size_t heading_bytes = 0);
 
   void group(const std::string& name);
@@ -101,7 +101,8 @@ class Hdf5Writer {
   Hdf5Handle make_groups_;  ///< link creation list: missing groups on the way are made
 };
 
-/// Reads an HDF5 file. Every function throws InputError: missing, not HDF5, cut short, wrong shape or type.
+/// Reads an HDF5 file. Every function throws InputError if the file is missing, not HDF5 or cut short, or if an object
+/// has the wrong shape or type.
 class Hdf5Reader {
  public:
   explicit Hdf5Reader(std::filesystem::path path);
@@ -133,7 +134,7 @@ class Hdf5Reader {
   T attribute(const std::string& object, const std::string& name) const;
 
  private:
-  /// Number of rows of an array (`columns` = 0) or a table that has really been stored.
+  /// The number of rows of an array (`columns` = 0) or table. Throws if its data were never stored.
   std::size_t expect_rows(const std::string& name, std::size_t columns) const;
   void read(const std::string& name, ElementType type, void* to) const;
   Hdf5Handle dataset(const std::string& name) const;

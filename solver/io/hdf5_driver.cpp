@@ -11,12 +11,12 @@
 namespace bake {
 namespace {
 
-/// What travels in the access list: HDF5 copies it byte by byte.
+/// The data in the access list; HDF5 copies it byte by byte.
 struct Target {
   AtomicFile* file;
 };
 
-/// HDF5's own part comes first; it hands us pointers to that part.
+/// HDF5's own part comes first, because HDF5 passes us pointers to that part.
 struct OpenFile : H5FD_t {
   AtomicFile* file;
   haddr_t end_of_allocated;
@@ -54,7 +54,7 @@ haddr_t end_of_written(const H5FD_t* file, H5FD_mem_t) { return ours(file).end_o
 herr_t read(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t offset, std::size_t size, void* to) {
   auto* bytes = static_cast<std::byte*>(to);
   const auto got = ours(file).file->read_at(offset, {bytes, size});
-  std::fill(bytes + got, bytes + size, std::byte{0});  // HDF5 may read what it has not written yet
+  std::fill(bytes + got, bytes + size, std::byte{0});  // HDF5 may read bytes that it has not written yet
   return 0;
 }
 
@@ -75,7 +75,7 @@ H5FD_class_t driver_class() {
   H5FD_class_t driver{};
 #ifdef H5FD_CLASS_VERSION
   driver.version = H5FD_CLASS_VERSION;
-  driver.value = 512;  // the first of the values left to applications
+  driver.value = 512;  // the first value that HDF5 leaves to applications
 #endif
   driver.name = "atomic_file";
   driver.maxaddr = HADDR_MAX;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// HDF5 files written through an AtomicFile.
+// Lets HDF5 write through an AtomicFile.
 #pragma once
 
 #include <hdf5.h>
@@ -8,9 +8,9 @@
 
 namespace bake {
 
-/// Lets the file access list `access` write into `file`, whatever name H5Fcreate is given. `file` must outlive the HDF5 file.
-/// HDF5 never learns of a failing write: it frees a file that it cannot flush, keeps its id, and crashes at the end of the
-/// program. Ask `file.check()` after writing. Returns false if HDF5 refuses.
+/// Makes the file access list `access` write into `file`, whatever name H5Fcreate is given. `file` must outlive the HDF5 file.
+/// HDF5 is not told of a failing write, because it would free a file that it cannot flush, keep its id, and crash at the end of
+/// the program. Call `file.check()` after writing. Returns false if HDF5 refuses.
 bool write_through(hid_t access, AtomicFile& file);
 
 }  // namespace bake

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// ledger.csv: what the run has booked, one row per frame.
+// ledger.csv: the balances that a run books, one row per frame.
 //
-// A row is appended by one write and flushed to disk; if that write fails, the file is cut back to its last whole row. (Writing the
-// whole file aside for each row would cost the square of the number of frames, and programs that follow the file would lose it.)
-// A row torn by a power cut has no end of line: readers leave it out, resuming cuts it off.
+// A row is appended by one write and flushed to disk; if that write fails, the file is cut back to its last whole row. (Rewriting
+// the whole file for each row would cost time with the square of the number of frames, and programs that follow the file would lose it.)
+// A row that a power cut has truncated has no end of line: readers ignore it, and a resumed run removes it.
 #pragma once
 
 #include <filesystem>
@@ -21,12 +21,12 @@ struct Ledger {
 /// Reads a ledger. Throws InputError (file:line) on a missing file, a row of wrong length or a word that is no number.
 Ledger read_ledger(const std::filesystem::path& path);
 
-/// The ledger of a run in progress. The first column (frame or time) must rise from row to row.
+/// The ledger of a running simulation. The first column (frame or time) must rise from row to row.
 class LedgerFile {
  public:
   /// Begins a new file with its heading line. Names must not hold commas or line breaks. Throws OutputError.
   static LedgerFile create(const std::filesystem::path& path, const std::vector<std::string>& columns);
-  /// Continues a file behind the row whose first column is `last`: later rows are cut. Throws InputError if the file is missing,
+  /// Continues a file behind the row whose first column is `last`; later rows are removed. Throws InputError if the file is missing,
   /// unreadable or has other columns, OutputError if it cannot be written.
   static LedgerFile resume(const std::filesystem::path& path, const std::vector<std::string>& columns, double last);
   ~LedgerFile();

@@ -15,7 +15,7 @@
 
 namespace bake {
 
-/// A quantity at the vertices: `components` numbers each.
+/// A quantity with `components` numbers at each vertex.
 struct MeshField {
   std::string name;
   std::string unit;
@@ -23,7 +23,7 @@ struct MeshField {
   std::vector<double> values;
 };
 
-/// The field of that name, or nullptr.
+/// The field `name`, or nullptr if there is none.
 const MeshField* find_field(const std::vector<MeshField>& fields, std::string_view name);
 
 struct Mesh {
@@ -31,18 +31,19 @@ struct Mesh {
   std::vector<double> points;       ///< x, y, z of each vertex [m]
   std::vector<std::int64_t> cells;  ///< `corners` vertices each; triangles counter-clockwise from outside, tetrahedra of positive volume
   std::vector<MeshField> fields;    ///< at the vertices; stored in single precision but for `volume`
-  double time_s = 0;                ///< of the frame that it shows
+  double time_s = 0;                ///< time of the frame that the mesh shows
 
   std::size_t vertex_count() const { return points.size() / 3; }
   std::size_t cell_count() const { return cells.size() / corners; }
   const MeshField* find(std::string_view name) const { return find_field(fields, name); }
 };
 
-/// Writes the mesh whole or not at all. Points are stored in double precision. Throws OutputError, and std::invalid_argument if
+/// Writes the mesh completely or not at all. Points are stored in double precision. Throws OutputError, and std::invalid_argument if
 /// lengths do not fit.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
 
-/// Throws InputError: missing or damaged file, no mesh, cells of mixed or other kinds, a corner that is no vertex, a wrong length.
+/// Reads a mesh. Throws InputError if the file is missing, damaged or not a mesh, if cells are of mixed or other kinds, if a corner is no
+/// vertex, or if an array has the wrong length.
 Mesh read_mesh(const std::filesystem::path& path);
 
 /// A field at the points of a mesh or of a frame. Throws InputError.

@@ -32,7 +32,7 @@ void check_count(const Hdf5Reader& file, const char* dataset, std::size_t found,
   throw InputError(fmt::format("{}: {}: holds {} values for {} positions", file.path().string(), dataset, found, particles));
 }
 
-/// The three datasets in a file of our own make, or as VTK would have them.
+/// The names of the three datasets, in a plain HDF5 file or in a VTKHDF file.
 struct Names {
   const char *positions, *volumes, *material;
 };

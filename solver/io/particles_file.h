@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Particles made elsewhere (bake-mesh, or any program that writes HDF5).
+// Reads particles that another program made (bake-mesh, or any program that writes HDF5).
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ struct ParticlesFile {
 
 /// Reads datasets `positions` [n, 3], `volumes` [n] and, if there, `material` [n]. Throws InputError naming file and dataset:
 /// missing or damaged file, missing dataset, wrong shape or type, n = 0, position not finite, volume not finite and positive,
-/// negative material. A VTKHDF file serves as well, with Points, PointData/volume and PointData/material: a mesh of tetrahedra
-/// whose vertices are the particles, or a frame of another run.
+/// negative material. A VTKHDF file with Points, PointData/volume and PointData/material is read as well: a mesh of tetrahedra
+/// whose vertices become the particles, or a frame of another run.
 ParticlesFile read_particles(const std::filesystem::path& path);
 
 }  // namespace bake

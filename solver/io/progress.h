@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a run has come: one line redrawn on a terminal, now and then a plain line in a log, or nothing.
+// Shows how far a run has come: one line that is redrawn on a terminal, a plain line now and then in a log, or nothing.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace bake {
 
-/// Where a run stands.
+/// The state of a run that the progress line shows.
 struct Standing {
   int frame = 0;   ///< frames written so far
   int frames = 0;  ///< frames of the whole run
@@ -20,7 +20,7 @@ struct Standing {
   std::uint64_t particle_steps = 0;  ///< since the program started; rises
 };
 
-/// How fast it goes, measured over the last half minute or so; 0 while unknown.
+/// The speed of the run, measured over about the last half minute; 0 while unknown.
 struct Pace {
   double particle_steps_per_s = 0;
   double left_s = 0;
@@ -28,7 +28,7 @@ struct Pace {
 
 enum class ProgressStyle { quiet, bar, lines };
 
-/// Where to show it. Clock and width are functions so that tests can set them.
+/// Where the progress is shown. Clock and width are functions so that tests can replace them.
 struct ProgressOutput {
   std::ostream& to;
   ProgressStyle style;
@@ -39,25 +39,25 @@ struct ProgressOutput {
 /// A clock that never runs backwards.
 double steady_seconds();
 
-/// Standard error: a bar if it is a terminal, lines if not, nothing if `quiet`.
+/// Shows it on standard error: as a bar if that is a terminal, else as lines; not at all if `quiet`.
 ProgressOutput progress_on_stderr(bool quiet);
 
-/// The line for a terminal: fits into `width` characters by leaving out first the bar, then what is least important.
+/// The line for a terminal. To fit into `width` characters it omits first the bar, then the least important parts.
 std::string bar_line(const Standing& standing, const Pace& pace, int width);
 /// The line for a log.
 std::string log_line(const Standing& standing, const Pace& pace);
-/// "0:07", "12:34", "3:04:05"; "-:--" for what is not a time.
+/// "0:07", "12:34", "3:04:05"; "-:--" if the number is not a time.
 std::string clock_text(double seconds);
 
 class Progress {
  public:
   explicit Progress(ProgressOutput output);
-  /// Leaves the terminal on a fresh line, also when an exception ends the run.
+  /// Ends the line on the terminal, also when an exception ends the run.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// To be called after every step; shows something at most 10 times a second (bar). In a log: at finished frames only, if 10 s have
+  /// Call it after every step. It redraws the bar at most 10 times a second. In a log it writes a line at a finished frame if 10 s have
   /// passed since the last line or another tenth of the frames is done, and at the last frame.
   void update(const Standing& standing);
 
@@ -80,7 +80,7 @@ class Progress {
   double recent_particle_steps_ = 0;
 };
 
-/// How far something without frames has come: a line redrawn on a terminal; in a log a line for each phase that begins after two seconds.
+/// Shows the progress of work without frames: a redrawn line on a terminal; in a log a line for each phase that begins after two seconds.
 class Meter {
  public:
   explicit Meter(std::string what, ProgressOutput output = progress_on_stderr(false));
@@ -88,8 +88,8 @@ class Meter {
   Meter(const Meter&) = delete;
   Meter& operator=(const Meter&) = delete;
   void operator()(double share);
-  void phase(const std::string& doing);  ///< of what cannot say its share; `doing` begins now
-  void clear();                          ///< before something else is printed
+  void phase(const std::string& doing);  ///< begins the phase `doing`, whose share is unknown
+  void clear();                          ///< clears the line, before something else is printed
 
  private:
   void draw(const std::string& line);

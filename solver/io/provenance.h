@@ -5,7 +5,7 @@
 
 namespace bake {
 
-/// Where a result comes from, as stored beside it:
+/// The origin of a result, as stored beside it:
 /// program: version, commit, dirty (null if unknown), solver (hash of the sources that decide a run's numbers), compiler, flags,
 /// build_type; libraries: hdf5, eigen, fmt;
 /// machine: cpu, logical_cores, memory_bytes, os; date (UTC, ISO 8601). The name of the machine is left out on purpose.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A folder for files that are soon read again.
+// A temporary folder for files that the same program reads again.
 #pragma once
 
 #include <unistd.h>
@@ -12,10 +12,10 @@
 
 namespace bake {
 
-/// A new empty folder of its own among the system's temporary ones, removed at the end with all that is in it.
+/// A new, empty folder in the system's temporary folder. The destructor removes it with its contents.
 class ScratchFolder {
  public:
-  /// Throws OutputError if none can be made.
+  /// Throws OutputError if the folder cannot be created.
   ScratchFolder() {
     std::string pattern = (std::filesystem::temp_directory_path() / "bake-XXXXXX").string();
     if (::mkdtemp(pattern.data()) == nullptr) throw OutputError(pattern + ": cannot create a folder there");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What frames and meshes have in common as VTKHDF 1.0 files: the head of an unstructured grid, and fields at its points.
+// The common parts of frames and meshes as VTKHDF 1.0 files: the header of an unstructured grid, and fields at its points.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ namespace bake {
 
 inline constexpr const char* k_vtk_fields = "VTKHDF/PointData";
 
-/// Group and attributes, to be written first.
+/// Writes the group and its attributes; call it first.
 inline void write_vtk_head(Hdf5Writer& out, double time_s) {
   out.group(k_vtk_fields);
   out.attribute("VTKHDF", "Version", std::array<std::int64_t, 2>{1, 0});

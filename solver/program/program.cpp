@@ -27,7 +27,7 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
-/// CLI11 alone would call a misspelt command an unexpected argument.
+/// Without this check CLI11 would call a misspelt command an unexpected argument.
 void check_command(const CLI::App& app, const std::vector<std::string>& arguments) {
   const std::vector<std::string> names = command_names(app);
   if (arguments.empty())
@@ -39,7 +39,7 @@ void check_command(const CLI::App& app, const std::vector<std::string>& argument
 
 int run_command_line(CLI::App& app, const Action& action, std::vector<std::string> arguments) {
   check_command(app, arguments);
-  std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
+  std::reverse(arguments.begin(), arguments.end());  // CLI11 reads them from the back
   try {
     app.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {

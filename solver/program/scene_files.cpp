@@ -4,19 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <tuple>
 
 #include "solver/scene/nearest.h"
-#include "solver/scene/scene.h"
 
 namespace bake::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The nearest experiments/ at or above `start`; empty if there is none.
+/// The nearest folder experiments/ at or above `start`; empty if there is none.
 fs::path experiments_above(const fs::path& start) {
-  std::error_code ignored;  // a folder that we may not look into holds no scenes for us
+  std::error_code ignored;  // a folder that cannot be read counts as one without scenes
   for (fs::path folder = start; !folder.empty(); folder = folder.parent_path()) {
     if (fs::is_directory(folder / "experiments", ignored)) return fs::canonical(folder / "experiments", ignored);
     if (folder == folder.root_path()) break;
@@ -79,6 +79,13 @@ std::filesystem::path find_scene(const std::string& name_or_path) {
                                  scenes.empty() ? "there is no experiments/ folder here" : suggestion(name_or_path, names(scenes))));
   }
   throw InputError(fmt::format("scene '{}' is ambiguous: {} and {}", name_or_path, matches[0].file.string(), matches[1].file.string()));
+}
+
+Scene open_scene(const std::string& name_or_path, const ReadOptions& options, bool quiet) {
+  Scene scene = read_scene(find_scene(name_or_path), options);
+  for (const std::string& notice : scene.notices)
+    if (!quiet) fmt::print(stderr, "bake: {}\n", notice);
+  return scene;
 }
 
 }  // namespace bake::cli

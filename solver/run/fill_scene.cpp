@@ -21,7 +21,7 @@ double spacing(const Scene& scene, double particles_per_cell) { return scene.dx(
 
 std::uint64_t seed_of(const Scene& scene, std::size_t number) { return static_cast<std::uint64_t>(scene.run.seed) * 1000003u + number; }
 
-void spin_about_centre(std::vector<NewParticle>& particles, std::size_t first, const Vector3& spin) {
+void spin_about_centre(std::vector<NewParticle>& particles, std::size_t first, const Vector3& angular_velocity) {
   double volume = 0;
   Vector3 centre{0, 0, 0};
   for (std::size_t i = first; i < particles.size(); ++i) {
@@ -30,7 +30,7 @@ void spin_about_centre(std::vector<NewParticle>& particles, std::size_t first, c
   }
   if (volume > 0) centre = (1 / volume) * centre;
   for (std::size_t i = first; i < particles.size(); ++i)
-    particles[i].velocity = particles[i].velocity + cross(spin, particles[i].x - centre);
+    particles[i].velocity = particles[i].velocity + cross(angular_velocity, particles[i].x - centre);
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ std::vector<NewParticle> fill_bodies(const Scene& scene) {
     const std::size_t first = particles.size();
     const std::int32_t material = material_number(scene, body.material);
     const auto add = [&](const Point& x, double volume, std::int32_t m) {
-      particles.push_back({x, volume, m, body.velocity_m_per_s, body.spin_rad_per_s, &body});
+      particles.push_back({x, volume, m, body.velocity_m_per_s, body.angular_velocity_rad_per_s, &body});
     };
     if (!body.shape) {
       const ParticlesFile file = read_particles(body.particles_file);
@@ -59,7 +59,7 @@ std::vector<NewParticle> fill_bodies(const Scene& scene) {
                                                            : fill_poisson(*body.shape, h, seed_of(scene, b));
       for (const Point& x : points) add(x, h * h * h, material);
     }
-    spin_about_centre(particles, first, body.spin_rad_per_s);
+    spin_about_centre(particles, first, body.angular_velocity_rad_per_s);
   }
   return particles;
 }

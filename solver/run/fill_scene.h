@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From bodies and emitters to particles.
+// Makes particles of bodies and emitters.
 #pragma once
 
 #include <vector>
@@ -12,16 +12,16 @@ namespace bake {
 /// Particles of all bodies at the start. `scene` must outlive them.
 std::vector<NewParticle> fill_bodies(const Scene& scene);
 
-/// An emitter at work: pours its shape again and again, each time what was poured has moved its own length away.
+/// The state of an emitter. It pours its shape filled with particles, again each time the last filling has moved away by its own length.
 class EmitterState {
  public:
   EmitterState(const Scene& scene, const Emitter& emitter, std::size_t number);
-  /// Time of the next pouring, infinity if none.
+  /// Time of the next pouring; infinity if there is none.
   double next_time() const;
-  /// The particles of the next pouring; moves on to the one after.
+  /// Returns the particles of the next pouring and advances to the one after it.
   std::vector<NewParticle> pour();
   std::int64_t poured() const { return poured_; }
-  void skip_to(std::int64_t poured) { poured_ = poured; }  ///< after a checkpoint was read
+  void skip_to(std::int64_t poured) { poured_ = poured; }  ///< used when a checkpoint is read
 
  private:
   double from_, until_, period_;

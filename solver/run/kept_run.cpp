@@ -11,11 +11,11 @@
 namespace bake {
 namespace {
 
-/// What decides the numbers of a run.
+/// Everything that decides the numbers of a run.
 nlohmann::json identity(const nlohmann::json& scene, const nlohmann::json& program) {
-  nlohmann::json without_place = scene;
-  without_place.erase("file");
-  return {without_place, program.at("solver"), program.at("compiler"), program.at("flags")};
+  nlohmann::json values = under_former_names(scene);
+  values.erase("file");
+  return {values, program.at("solver"), program.at("compiler"), program.at("flags")};
 }
 
 }  // namespace
@@ -31,14 +31,14 @@ KeptRun kept_run(const Scene& scene, const std::filesystem::path& folder) {
     if (run.at("summary").at("state") == "done" && reached_the_end) return KeptRun::finished;
     return std::filesystem::exists(folder / "checkpoint.h5") ? KeptRun::unfinished : KeptRun::none;
   } catch (const nlohmann::json::exception&) {
-    return KeptRun::none;  // of an older version, or not a run
+    return KeptRun::none;  // written by an older version, or not a run at all
   }
 }
 
 void complete_run(const Scene& scene, RunOptions options, KeptRun kept) {
   if (kept == KeptRun::finished) return;
   options.resume = kept == KeptRun::unfinished;
-  if (run_scene(scene, options).interrupted) throw RunError("interrupted; the same command goes on from the checkpoint");
+  if (run_scene(scene, options).interrupted) throw RunError("interrupted; the same command resumes from the checkpoint");
 }
 
 }  // namespace bake

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results that are there already: are they those of a scene and of this solver?
+// Recognises whether a folder already holds the results of a scene, made by this solver.
 #pragma once
 
 #include <filesystem>
@@ -9,17 +9,18 @@
 namespace bake {
 
 enum class KeptRun {
-  none,        ///< nothing, or the results of another scene or solver
-  unfinished,  ///< begun by this solver, with a checkpoint to go on from
+  none,        ///< there are no results, or they belong to another scene or solver
+  unfinished,  ///< the run was begun by this solver and has a checkpoint to resume from
   finished,
 };
 
-/// Speaks of the same scene with every default filled in (wherever its file is), at the same quality, and of the same solver: its sources
-/// (commits that change only other rooms do not matter), compiler and flags. Threads do not matter: they do not change the results.
+/// Compares the run in `folder` with the scene and with this program. The run counts if its scene has the same values (defaults included,
+/// the place of its file aside) and the same quality, and if the solver was built from the same sources with the same compiler and flags.
+/// Commits that change only other rooms do not matter. The number of threads does not matter, since it does not change the results.
 KeptRun kept_run(const Scene& scene, const std::filesystem::path& folder);
 
-/// run_scene, but only what is missing of a folder whose run is as `kept` says: nothing if it is finished; from its checkpoint on if it is
-/// unfinished. Throws as run_scene, and RunError if it was interrupted.
+/// Runs what is missing in a folder whose run is as `kept` says: nothing if the run is finished, the rest from the checkpoint if it is
+/// unfinished, else all of it. Throws as run_scene, and RunError if the run is interrupted.
 void complete_run(const Scene& scene, RunOptions options, KeptRun kept);
 
 }  // namespace bake

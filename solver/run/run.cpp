@@ -30,7 +30,7 @@ namespace {
 
 volatile std::sig_atomic_t g_stop_asked = 0;
 
-/// SIGINT and SIGTERM ask the run to stop after the step; a second one ends the program as usual.
+/// On SIGINT or SIGTERM the run stops after the current step; a second signal ends the program as usual.
 class StopSignals {
  public:
   StopSignals() {
@@ -51,8 +51,8 @@ class StopSignals {
   struct sigaction old_int_, old_term_;
 };
 
-/// The files of a run.
-struct Results {
+/// The files of a run in the folder of its results.
+struct ResultFiles {
   std::filesystem::path folder;
   std::filesystem::path frames() const { return folder / "frames"; }
   std::filesystem::path series() const { return folder / "frames.hdf.series"; }
@@ -68,14 +68,14 @@ int frame_count(const Scene& scene, const RunOptions& options) {
   return std::max(1, static_cast<int>(std::ceil(scene.run.end_s * scene.run.frame_rate_per_s - 1e-9)));
 }
 
-void save_checkpoint(const Scene& scene, const Results& results, const Simulation& simulation, int frame) {
+void save_checkpoint(const Scene& scene, const ResultFiles& results, const Simulation& simulation, int frame) {
   CheckpointWriter out(results.checkpoint(), scene_fingerprint(scene), scene.run.precision);
   simulation.write(out);
   out.set("frame", static_cast<std::int64_t>(frame));
   out.commit();
 }
 
-void save_series(const Scene& scene, const Results& results, int frames) {
+void save_series(const Scene& scene, const ResultFiles& results, int frames) {
   std::vector<SeriesEntry> entries;
   for (int f = 0; f <= frames; ++f) entries.push_back({"frames/" + frame_name(f), frame_time(scene, f)});
   write_series(results.series(), entries);
@@ -86,7 +86,7 @@ double value(const std::vector<double>& row, std::string_view column) {
   return row[static_cast<std::size_t>(std::find(names.begin(), names.end(), column) - names.begin())];
 }
 
-std::string summary_text(const Scene& scene, const Results& results, const std::vector<double>& first, const std::vector<double>& last,
+std::string summary_text(const Scene& scene, const ResultFiles& results, const std::vector<double>& first, const std::vector<double>& last,
                          double inertia_scale, double wall, std::int64_t particle_steps) {
   const auto now = [&](std::string_view c) { return value(last, c); };
   std::string text =
@@ -118,15 +118,15 @@ double peak_memory_bytes() {
   return 1024. * static_cast<double>(usage.ru_maxrss);
 }
 
-/// Processes that wait for a processor, over the last minute: above the number of cores, the time is not this run's alone.
+/// The load average of the last minute. If it exceeds the number of cores, other processes slowed this run down.
 double load_average() {
   double load = 0;
   return getloadavg(&load, 1) == 1 ? load : std::nan("");
 }
 
-/// What the run is, and what came of it so far. `wall`: seconds it has taken, those before it was resumed among them, for so many
-/// `particle_steps`.
-void save_description(const Scene& scene, const Results& results, const char* state, const std::vector<double>& row, double wall,
+/// Writes run.json: what the run is, and its state so far. `wall`: the seconds that `particle_steps` took, including those before the run
+/// was resumed.
+void save_description(const Scene& scene, const ResultFiles& results, const char* state, const std::vector<double>& row, double wall,
                       std::int64_t particle_steps) {
   nlohmann::json summary;
   const auto names = ledger_columns();
@@ -143,9 +143,9 @@ void save_description(const Scene& scene, const Results& results, const char* st
   write_text_atomically(results.description(), all.dump(2) + "\n");
 }
 
-/// Seconds that the run has taken before it is resumed; none if its description is lost. (Not part of the checkpoint: a run that was
-/// interrupted ends with the same checkpoint, bit for bit, as one that was not.)
-double wall_so_far(const Results& results) {
+/// The seconds that the run took before it is resumed; 0 if its description is lost. They are not part of the checkpoint, so that an
+/// interrupted run ends with the same checkpoint, bit for bit, as an uninterrupted one.
+double wall_so_far(const ResultFiles& results) {
   std::ifstream in(results.description());
   const nlohmann::json run = nlohmann::json::parse(in, nullptr, false);
   return run.is_object() ? run.value(nlohmann::json::json_pointer("/summary/wall_s"), 0.0) : 0.0;
@@ -158,7 +158,7 @@ void make_folder(const std::filesystem::path& folder) {
     throw InputError(folder.string() + ": cannot make this folder: " + error.message() + ", allowed: a place that can be written (--out)");
 }
 
-void clear_old(const Results& results) {
+void clear_old(const ResultFiles& results) {
   std::error_code ignored;
   for (const auto& path : {results.series(), results.ledger(), results.checkpoint(), results.description()})
     std::filesystem::remove(path, ignored);
@@ -170,7 +170,7 @@ void clear_old(const Results& results) {
 RunSummary run_scene(const Scene& scene, const RunOptions& options) {
   const StopSignals signals;
   if (options.threads > 0) omp_set_num_threads(options.threads);
-  const Results results{options.out};
+  const ResultFiles results{options.out};
   const int frames = frame_count(scene, options);
 
   std::unique_ptr<Simulation> simulation;
@@ -183,7 +183,7 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
     frame = static_cast<int>(checkpoint.value<std::int64_t>("frame"));
     wall_before = wall_so_far(results);
   } else {
-    simulation = Simulation::begin(scene);  // before anything is written: a bad scene leaves old results alone
+    simulation = Simulation::begin(scene);  // before anything is written, so that a bad scene leaves old results untouched
     make_folder(results.folder);
     clear_old(results);
   }
@@ -243,31 +243,31 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
     if (stop || frame == frames || (reached && frame % scene.run.checkpoint_every_frames == 0)) {
       save_checkpoint(scene, results, *simulation, frame);
       save_description(scene, results, "running", last, wall(),
-                       simulation->counters().particle_steps);  // the time it took must not be lost if it is killed
+                       simulation->counters().particle_steps);  // a killed run must not lose the time that it took
     }
     if (stop)
-      return {
-          finish("interrupted") + fmt::format("\n  interrupted at {:.6g} s; checkpoint written, go on with --resume", simulation->time()),
-          true};
+      return {finish("interrupted") +
+                  fmt::format("\n  interrupted at {:.6g} s; checkpoint written, continue with --resume", simulation->time()),
+              true};
   }
   return {finish("done"), false};
 }
 
 namespace {
 
-/// Seconds of this machine for each particle.
+/// Seconds per particle on this machine.
 struct Costs {
   double step = 0, frame = 0;
 };
 
-/// From 20 steps and a frame of a simulation at its start.
+/// Measures them by 20 steps and a frame at the start of a simulation.
 Costs try_out(Simulation& simulation, double end) {
   const double began = steady_seconds();
   int steps = 20;
   simulation.advance(end, end, [&] { return --steps > 0; });
   const double taken = steady_seconds() - began;
   const ScratchFolder scratch;
-  simulation.write_frame_file(scratch / frame_name(0));  // the first takes much longer than those after it
+  simulation.write_frame_file(scratch / frame_name(0));  // the first frame takes much longer than later ones
   const double again = steady_seconds();
   simulation.write_frame_file(scratch / frame_name(1));
   const double particles = std::max(static_cast<double>(simulation.particles()), 1.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The main job: a scene in, frames, ledger and checkpoint out.
+// Runs a scene: writes frames, the ledger and checkpoints.
 #pragma once
 
 #include <filesystem>
@@ -13,11 +13,11 @@ namespace bake {
 struct Scene;
 
 struct RunOptions {
-  std::filesystem::path out;  ///< folder of the results; made if it is not there
+  std::filesystem::path out;  ///< folder of the results; created if missing
   int threads = 0;            ///< 0: all cores
-  bool resume = false;        ///< go on from the folder's checkpoint
+  bool resume = false;        ///< continue from the folder's checkpoint
   bool quiet = false;
-  std::optional<int> frames;  ///< end after so many frames instead of the scene's end
+  std::optional<int> frames;  ///< ends the run after this many frames instead of at the scene's end
 };
 
 struct RunSummary {

@@ -12,7 +12,7 @@
 namespace bake {
 namespace {
 
-/// The default as TOML, or that there is none.
+/// The default as TOML, or the word "required" or "none".
 template <class P, class Owner>
 std::string standard_value(const P& parameter, const Owner& fresh) {
   if (parameter.presence == Presence::required) return "required";
@@ -24,7 +24,7 @@ std::vector<CatalogueKey> described_keys() {
   std::vector<CatalogueKey> keys;
   for_each_parameter<T>([&](const auto& parameter) {
     keys.push_back({parameter.key, parameter.unit, allowed<ValueOf<decltype(parameter)>>(parameter.range), standard_value(parameter, T{}),
-                    parameter.meaning});
+                    parameter.meaning, parameter.former ? parameter.former : ""});
   });
   return keys;
 }
@@ -71,7 +71,7 @@ CatalogueSection described_shape() {
   return {S::name, fmt::format("shape = {{ {} = {{ ... }} }}", S::name), "", S::meaning, described_keys<S>()};
 }
 
-/// What every shape can have beside its own table.
+/// The keys that every shape can have beside its own table.
 CatalogueSection shapes_in_general() {
   CatalogueSection section{"shape", "shape = { <one shape> = { ... }, ... }", "",
                            "a solid: one named shape or combination, and where it is put", described_keys<Placement>()};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every scene key in words, gathered from the declarations.
+// Describes every scene key in words, from the declarations.
 #pragma once
 
 #include <string>
@@ -11,9 +11,10 @@ namespace bake {
 struct CatalogueKey {
   std::string key;
   std::string unit;      ///< empty for words and shapes
-  std::string allowed;   ///< what values it takes
-  std::string standard;  ///< what it is if not given, as TOML; "required" or "none"
+  std::string allowed;   ///< which values it takes
+  std::string standard;  ///< its default as TOML, or "required" or "none"
   std::string meaning;
+  std::string former = {};  ///< what it was called before, or empty
 };
 
 /// A table of the scene file, or the part of [[material]] that belongs to one effect.

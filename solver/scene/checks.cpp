@@ -34,7 +34,7 @@ void check_span(const SceneEntry& entry, const T& value) {
   Complaint(entry).at(key, "found from_s = {} and until_s = {}, allowed: from_s before until_s", value.from_s, value.until_s);
 }
 
-/// What is filled with particles must end somewhere.
+/// A shape that is filled with particles must be bounded.
 void check_bounded(const SceneEntry& entry, const Shape& shape) {
   const Box3 box = shape.bounds();
   for (std::size_t axis = 0; axis < 3; ++axis) {

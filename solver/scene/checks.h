@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What must hold between several values of a scene. Each value by itself has been checked when it was read.
+// Checks conditions between several values of a scene. Each single value has been checked when it was read.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,8 +9,8 @@
 
 namespace bake {
 
-// Each throws an InputError at the table `entry` that `value` was read from. `scene` holds what was read before it:
-// effects and tables, then materials, then the other lists.
+// Each throws an InputError at the table `entry` that `value` was read from. `scene` holds what was read
+// before: effects and tables, then materials, then the other lists.
 void check(const SceneEntry& entry, const DomainSettings& value, const Scene& scene);
 void check(const SceneEntry& entry, const TimeSettings& value, const Scene& scene);
 void check(const SceneEntry& entry, const Material& value, const Scene& scene);

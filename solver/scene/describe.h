@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Walking over declared parameters, and the words for what each kind of value may be.
+// Visits declared parameters, and describes in words which values each kind of parameter allows.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,6 +15,7 @@
 #include "solver/boundary/motion_path.h"
 #include "solver/boundary/shape.h"
 #include "solver/core/parameter.h"
+#include "solver/scene/nearest.h"
 
 namespace bake {
 
@@ -53,6 +54,17 @@ std::vector<std::string> keys_of() {
   return keys;
 }
 
+/// Former names of keys of all the structs.
+template <Declared... Structs>
+FormerNames former_names_of() {
+  FormerNames names;
+  const auto add = [&](const auto& parameter) {
+    if (parameter.former) names.emplace(parameter.former, parameter.key);
+  };
+  (for_each_parameter<Structs>(add), ...);
+  return names;
+}
+
 /// Names of an enumeration: "apic", "pic", "flip".
 template <Choice E>
 std::vector<std::string> names_of() {
@@ -66,7 +78,7 @@ const char* word_of(E choice) {
   return choice_names(choice)[static_cast<std::size_t>(choice)];
 }
 
-/// What a user reads when a value of type T is refused or explained.
+/// The allowed values of type T in words, for error messages and explanations.
 template <class T>
 std::string allowed(const Range& range) {
   if constexpr (k_is_optional<T>) {

@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "solver/core/errors.h"
-#include "solver/scene/nearest.h"
+#include "solver/core/parameter.h"
 
 namespace bake {
 namespace {
@@ -42,7 +42,7 @@ std::string in_one_line(std::string_view text) {
   return line;
 }
 
-/// The parser follows dotted keys by recursion, to any depth. Keys end with their line, so a bound of dots bounds the stack.
+/// The parser follows dotted keys by recursion, to any depth. A key ends with its line, so a bound on the dots per line bounds the stack.
 void refuse_endless_keys(std::string_view text, const std::string& name) {
   constexpr int k_most_dots = 3000;
   int line = 1, dots = 0;
@@ -65,7 +65,7 @@ std::string quotable(std::string_view text) {
   constexpr std::size_t k_longest = 60;
   std::string line = in_one_line(text.substr(0, k_longest));
   if (text.size() <= k_longest) return line;
-  while (!line.empty() && (static_cast<unsigned char>(line.back()) & 0xc0) == 0x80) line.pop_back();  // no half characters
+  while (!line.empty() && (static_cast<unsigned char>(line.back()) & 0xc0) == 0x80) line.pop_back();  // keeps UTF-8 characters whole
   return line + "...";
 }
 
@@ -90,6 +90,15 @@ std::optional<SceneEntry> SceneEntry::find(std::string_view key) const {
   const toml::node* member = node_->as_table()->get(key);
   if (!member) return std::nullopt;
   return SceneEntry(*this, *member, child_name(key));
+}
+
+std::optional<SceneEntry> SceneEntry::find(std::string_view key, const char* former) const {
+  const auto named_now = find(key), named_before = former ? find(former) : std::nullopt;
+  if (!named_before) return named_now;
+  if (named_now) named_before->complain(fmt::format("found beside {}, its new name, allowed: one of them", key));
+  document_->notices.push_back(fmt::format("{}: {} is now called {}; the old name is read until {}", named_before->place_,
+                                           named_before->name_, key, k_former_keys_end));
+  return named_before;
 }
 
 SceneEntry SceneEntry::absent_table(std::string_view key) const { return SceneEntry(*this, k_empty_table, child_name(key)); }
@@ -127,12 +136,12 @@ void SceneEntry::refuse_missing(std::string_view key, std::string_view allowed) 
   throw InputError(fmt::format("{}: {}: missing, allowed: {}", place_, child_name(key), allowed));
 }
 
-void SceneEntry::refuse_unknown(const std::vector<std::string>& known) const {
+void SceneEntry::refuse_unknown(const std::vector<std::string>& known, const FormerNames& former) const {
   for (auto&& [key, member] : *node_->as_table()) {
-    if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+    if (former.contains(std::string(key.str())) || std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
     SceneEntry at_key = *this;
     at_key.place_ = place_of(key.source());
-    at_key.complain(fmt::format("unknown key '{}', {}", quotable(key.str()), suggestion(key.str(), known)));
+    at_key.complain(fmt::format("unknown key '{}', {}", quotable(key.str()), suggestion(key.str(), known, former)));
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A value of a scene file that knows its place, so that every complaint names it.
+// A value in a scene file together with its place, so that every error message can name the place.
 #pragma once
 
 #include <toml++/toml.h>
@@ -10,15 +10,18 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/scene/nearest.h"
+
 namespace bake {
 
-/// How the scene file is called in messages, and where its relative paths start.
+/// The name of the scene file in messages, and the folder at which its relative paths start.
 struct Document {
   std::string name;
   std::filesystem::path folder;
+  mutable std::vector<std::string> notices = {};  ///< lines for the user, added while reading: keys under former names
 };
 
-/// A node of the parsed file with its dotted name. Refers to the document and the node: both must outlive it.
+/// A node of the parsed file with its dotted name. The entry refers to the document and the node, which must outlive it.
 class SceneEntry {
  public:
   SceneEntry(const Document& document, const toml::table& root);
@@ -29,13 +32,15 @@ class SceneEntry {
 
   /// The member of this table, if it is there. This entry must be a table.
   std::optional<SceneEntry> find(std::string_view key) const;
-  /// An empty table in the place of a member that is not there.
+  /// The member `key`, or the one under the key's former name, if it has one: then the document gets a notice. Complains if both are there.
+  std::optional<SceneEntry> find(std::string_view key, const char* former) const;
+  /// An empty table that stands for a missing member.
   SceneEntry absent_table(std::string_view key) const;
   /// The members of this array. This entry must be an array.
   std::vector<SceneEntry> elements() const;
-  /// The tables [[key]] of this table; none if it has no such key. Throws InputError if that is something else than a list.
+  /// The tables [[key]] of this table; none if it has no such key. Throws InputError if the key is not a list.
   std::vector<SceneEntry> tables(std::string_view key) const;
-  /// The same place under another name: `material.dough` instead of `material.0`.
+  /// The same entry under another name: `material.dough` instead of `material.0`.
   SceneEntry renamed(std::string_view last_part) const;
 
   // Each of these throws an InputError of one line that begins with the place.
@@ -44,9 +49,9 @@ class SceneEntry {
   [[noreturn]] void complain_at(std::string_view key, std::string_view problem) const;
   [[noreturn]] void refuse(std::string_view allowed) const;  ///< "found <this value>, allowed: ..."
   [[noreturn]] void refuse_missing(std::string_view key, std::string_view allowed) const;
-  /// Complains about the first member of this table that is none of `known`.
-  void refuse_unknown(const std::vector<std::string>& known) const;
-  /// Complains if this is no table.
+  /// Complains about the first member of this table that is neither in `known` nor a former name.
+  void refuse_unknown(const std::vector<std::string>& known, const FormerNames& former = {}) const;
+  /// Complains if this is not a table.
   void expect_table() const;
 
  private:
@@ -60,16 +65,16 @@ class SceneEntry {
   std::string place_;  ///< "bread.toml:12", or the override that the value comes from
 };
 
-/// Text of the user in a message: in one line, shortened, without control characters.
+/// Makes the user's text fit for a message: one line, shortened, without control characters.
 std::string quotable(std::string_view text);
 
-/// A file's name in a message, whole but in one line.
+/// The name of a file for a message: complete, but in one line.
 std::string quotable_path(const std::filesystem::path& path);
 
-/// All bytes of a file. Throws InputError: missing, a folder, unreadable.
+/// Reads all bytes of a file. Throws InputError if it is missing, a folder or unreadable.
 std::string read_text_file(const std::filesystem::path& file);
 
-/// Parses TOML that is called `name` in messages. Throws InputError with line and column.
+/// Parses TOML; messages call it `name`. Throws InputError with line and column.
 toml::table parse_toml(std::string_view text, const std::string& name);
 
 }  // namespace bake

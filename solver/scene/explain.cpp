@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "solver/core/errors.h"
+#include "solver/core/parameter.h"
 #include "solver/scene/catalogue.h"
 #include "solver/scene/entry.h"
 #include "solver/scene/nearest.h"
@@ -13,16 +14,17 @@
 namespace bake {
 namespace {
 
-std::string full_key(const CatalogueSection& section, const CatalogueKey& key) {
-  return section.name.empty() ? key.key : section.name + "." + key.key;
+std::string full_key(const CatalogueSection& section, const std::string& key) {
+  return section.name.empty() ? key : section.name + "." + key;
 }
 
 std::string explain_key(const CatalogueSection& section, const CatalogueKey& key) {
-  std::string text = fmt::format("{}\n  {}\n", full_key(section, key), key.meaning);
+  std::string text = fmt::format("{}\n  {}\n", full_key(section, key.key), key.meaning);
   text += fmt::format("  written  {}\n", section.heading);
   if (!key.unit.empty()) text += fmt::format("  unit     {}\n", key.unit);
   text += fmt::format("  allowed  {}\n  default  {}\n", key.allowed, key.standard);
   if (!section.effect.empty()) text += fmt::format("  effect   {}\n", section.effect);
+  if (!key.former.empty()) text += fmt::format("  formerly {}, which is read until {}\n", key.former, k_former_keys_end);
   return text;
 }
 
@@ -51,7 +53,9 @@ std::string explain_all(const std::vector<CatalogueSection>& sections, std::stri
   for (const CatalogueSection& section : sections) {
     if (section.name == name || section.effect == name) add(explain_section(section));
     for (const CatalogueKey& key : section.keys) {
-      if (key.key == name || full_key(section, key) == name) add(explain_key(section, key));
+      for (const std::string& called : {key.key, key.former}) {
+        if (!called.empty() && (called == name || full_key(section, called) == name)) add(explain_key(section, key));
+      }
     }
   }
   return text;
@@ -74,11 +78,16 @@ std::vector<std::string> readings(std::string_view key) {
 [[noreturn]] void complain_unknown(const std::vector<CatalogueSection>& sections, std::string_view name) {
   const bool full = name.find('.') != std::string_view::npos;
   std::vector<std::string> known;
+  FormerNames former;
   for (const CatalogueSection& section : sections) {
+    const auto called = [&](const std::string& key) { return full ? full_key(section, key) : key; };
     if (!section.name.empty()) known.push_back(section.name);
-    for (const CatalogueKey& key : section.keys) known.push_back(full ? full_key(section, key) : key.key);
+    for (const CatalogueKey& key : section.keys) {
+      known.push_back(called(key.key));
+      if (!key.former.empty()) former.emplace(called(key.former), called(key.key));
+    }
   }
-  const std::string guess = nearest(name, known);
+  const std::string guess = nearest(name, known, former);
   throw InputError(fmt::format("no scene key, table, effect or shape is called '{}', {}", quotable(name),
                                guess.empty() ? "allowed: those of `bake explain`" : fmt::format("did you mean '{}'?", guess)));
 }
@@ -95,8 +104,9 @@ std::string markdown_section(const CatalogueSection& section) {
   if (section.keys.empty()) return text + "\nNo keys of its own.\n";
   text += "\n| key | unit | default | allowed | meaning |\n|---|---|---|---|---|\n";
   for (const CatalogueKey& key : section.keys) {
-    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.key, key.unit, key.standard, escaped_for_markdown(key.allowed),
-                        escaped_for_markdown(key.meaning));
+    text += fmt::format("| `{}` | {} | {} | {} | {}{} |\n", key.key, key.unit, key.standard, escaped_for_markdown(key.allowed),
+                        escaped_for_markdown(key.meaning),
+                        key.former.empty() ? "" : fmt::format("; formerly `{}`, read until {}", key.former, k_former_keys_end));
   }
   return text;
 }

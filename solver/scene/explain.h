@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each scene key means, for people: made from the same declarations that the reader checks against.
+// Explains each scene key to the user, from the same declarations against which the reader checks.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace bake {
 /// Ends with a newline. Throws InputError, with the nearest name, for anything else.
 std::string explain(std::string_view key);
 
-/// All of it as one Markdown page: docs/scene.md.
+/// The explanations of all keys as one Markdown page: docs/scene.md.
 std::string documentation_page();
 
 }  // namespace bake

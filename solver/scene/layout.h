@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which tables a scene file has. The reader, the resolved scene and the documentation walk over these lists.
+// The tables of a scene file. The reader, the resolved scene and the documentation go through these lists.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ inline constexpr std::tuple k_lists{
     Section{"collider", &Scene::colliders, "a rigid thing that dough cannot enter"},
     Section{"grip", &Scene::grips, "a region in which everything follows a prescribed motion"},
     Section{"emitter", &Scene::emitters,
-            "pours material: each time what was poured has moved its own length away, the shape is filled anew"},
+            "pours material: the shape is filled again each time the last filling has moved away by its own length"},
 };
 
 /// Where a shape is put: scaled and turned about its own origin, then moved. Stands beside the shape's own table.
@@ -61,7 +61,7 @@ inline constexpr const char* k_union = "union";
 inline constexpr const char* k_intersection = "intersection";
 inline constexpr const char* k_difference = "difference";
 
-/// Names of all tables and lists but those of effects.
+/// Names of all tables and lists except those of effects.
 inline std::vector<std::string> table_names() {
   std::vector<std::string> names;
   const auto add = [&](const auto&... section) { (names.emplace_back(section.name), ...); };

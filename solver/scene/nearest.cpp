@@ -37,8 +37,9 @@ bool is_stem_of(std::string_view word, std::string_view candidate) {
 
 }  // namespace
 
-std::string nearest(std::string_view word, const std::vector<std::string>& known) {
+std::string nearest(std::string_view word, std::vector<std::string> known, const FormerNames& former) {
   if (word.size() > k_longest_word) return {};
+  for (const auto& [old, name] : former) known.push_back(old);
   std::string best;
   std::size_t fewest = 2 + word.size() / 4;
   for (const std::string& candidate : known) {
@@ -49,11 +50,12 @@ std::string nearest(std::string_view word, const std::vector<std::string>& known
       best = candidate;
     }
   }
-  return best;
+  const auto renamed = former.find(best);
+  return renamed == former.end() ? best : renamed->second;
 }
 
-std::string suggestion(std::string_view word, const std::vector<std::string>& known) {
-  const std::string guess = nearest(word, known);
+std::string suggestion(std::string_view word, const std::vector<std::string>& known, const FormerNames& former) {
+  const std::string guess = nearest(word, known, former);
   if (!guess.empty()) return fmt::format("did you mean '{}'?", guess);
   return known.empty() ? "allowed: none" : fmt::format("allowed: {}", fmt::join(known, ", "));
 }

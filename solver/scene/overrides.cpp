@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "solver/core/errors.h"
+#include "solver/scene/catalogue.h"
 #include "solver/scene/entry.h"
 
 namespace bake {
@@ -16,7 +17,7 @@ namespace {
 
 constexpr std::size_t k_deepest = 100;  // names in a dotted key; no scene key needs as many
 
-/// One `key=value`, taken apart.
+/// One `key=value`, split into its parts.
 struct Override {
   std::string place;  ///< what messages call it
   std::vector<std::string> keys;
@@ -54,12 +55,12 @@ std::optional<toml::table> parse_value(const std::string& value, const std::stri
   try {
     toml::table holder = parse_toml(fmt::format("value = {}", value), place);
     if (holder.size() == 1) return holder;
-  } catch (const InputError&) {  // said better by the caller, who knows both readings of the value
+  } catch (const InputError&) {  // the caller reports it, since it also tries another reading of the value
   }
   return std::nullopt;
 }
 
-/// A table whose single member is the new value: moving it out keeps its place, copying would not.
+/// A table whose single member is the new value: moving it out keeps its source position, copying would not.
 toml::table value_holder(const Override& change) {
   if (auto holder = parse_value(change.value, change.place)) return std::move(*holder);
   const std::size_t first = change.value.find_first_not_of(' ');
@@ -91,11 +92,24 @@ toml::node& step_into(const Override& change, toml::node& node, const std::strin
   return table->insert_or_assign(toml::key(key, toml::source_region(fresh.source())), std::move(fresh)).first->second;
 }
 
+/// Erases the member under the other name, former or present, of the key that is overridden.
+void forget_other_name(const Override& change, toml::table& table) {
+  for (const CatalogueSection& section : catalogue()) {
+    if (section.name != change.keys.front()) continue;
+    for (const CatalogueKey& key : section.keys) {
+      if (key.former.empty()) continue;
+      if (key.key == change.keys.back()) table.erase(key.former);
+      if (key.former == change.keys.back()) table.erase(key.key);
+    }
+  }
+}
+
 void put(const Override& change, toml::node& node, const std::string& key, toml::node&& value) {
   if (toml::array* list = node.as_array()) {
     const auto at = list->erase(list->cbegin() + static_cast<std::ptrdiff_t>(position(change, *list, key)));
     std::move(value).visit([&](auto&& concrete) { list->insert(at, std::forward<decltype(concrete)>(concrete)); });
   } else if (toml::table* table = node.as_table()) {
+    forget_other_name(change, *table);
     toml::key place(key, toml::source_region(value.source()));
     std::move(value).visit([&](auto&& concrete) { table->insert_or_assign(std::move(place), std::forward<decltype(concrete)>(concrete)); });
   } else {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Changing single values of a scene file from the command line.
+// Changes single values of a scene file from the command line.
 #pragma once
 
 #include <toml++/toml.h>
@@ -8,8 +8,8 @@
 
 namespace bake {
 
-/// Puts the value of `key=value` into the parsed file, creating tables (never list members) on the way. The new value
-/// carries the override's own text as its place. Throws InputError if there is no such place or no such value.
+/// Puts the value of `key=value` into the parsed file, creating tables (never list members) on the way. Error messages
+/// about the new value name the override's text as its place. Throws InputError if the key leads nowhere or the value is no TOML.
 void apply_override(toml::table& root, const std::string& text);
 
 }  // namespace bake

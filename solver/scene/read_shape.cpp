@@ -13,8 +13,8 @@ namespace {
 
 constexpr int k_deepest_shape = 32;  // shapes within shapes
 
-/// Keeps a shape alive together with the way the scene draws it, as the deleter of the pointer that the scene holds:
-/// shapes stay pure geometry, and asking for a distance takes no detour.
+/// Keeps a shape alive together with its description in the scene. It is the deleter of the scene's pointer to the shape, so that shapes
+/// stay pure geometry and a distance costs no further indirection.
 struct Drawing {
   ShapePtr shape;
   nlohmann::json drawn;
@@ -71,7 +71,7 @@ ShapePtr draw_named(const SceneEntry& entry, const std::string& name, int depth,
   return shape ? shape : draw_combination(entry, name, depth, drawn);
 }
 
-/// The one key of a shape's table that says what it is.
+/// The one key of a shape's table that names the kind of shape.
 std::string name_of_solid(const SceneEntry& entry) {
   const std::vector<std::string> solids = solid_names();
   std::vector<std::string> known = solids;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From an entry of a scene file to a value of any declared kind.
+// Reads an entry of a scene file as a value of any declared kind.
 #pragma once
 
 #include <string>
@@ -18,9 +18,9 @@ bool read_truth(const SceneEntry& entry);
 std::string read_text(const SceneEntry& entry);
 std::size_t read_choice(const SceneEntry& entry, const std::vector<std::string>& names);  ///< index into names
 Curve read_curve(const SceneEntry& entry, const Range& range);
-/// Fills `numbers[0..count)` from a list of exactly as many.
+/// Fills `numbers[0..count)` from a list of exactly `count` numbers.
 void read_numbers(const SceneEntry& entry, const Range& range, std::string_view allowed_words, double* numbers, std::size_t count);
-/// What is there, of one kind: one value stands for a list of one.
+/// Reads a list; a single value stands for a list of one.
 std::vector<std::string> read_texts(const SceneEntry& entry);
 std::vector<double> read_number_list(const SceneEntry& entry, const Range& range);
 /// A table with one key that names a shape or a combination, beside the keys of Placement.
@@ -73,13 +73,13 @@ T read_value(const SceneEntry& entry, const Range& range) {
 /// Whether a table must have the keys that are declared as required.
 enum class Demand { required_keys, nothing };
 
-/// Fills the declared members of `target` from the table `entry`; what is not there keeps its default.
-/// Keys that are not T's are left to others.
+/// Fills the declared members of `target` from the table `entry`; missing keys keep their defaults. Keys that T does not declare are
+/// ignored.
 template <Declared T>
 void read_members(const SceneEntry& entry, T& target, Demand demand) {
   for_each_parameter<T>([&](const auto& parameter) {
     using Value = ValueOf<decltype(parameter)>;
-    if (const auto member = entry.find(parameter.key)) {
+    if (const auto member = entry.find(parameter.key, parameter.former)) {
       target.*parameter.member = read_value<Value>(*member, parameter.range);
     } else if (demand == Demand::required_keys && parameter.presence == Presence::required) {
       entry.refuse_missing(parameter.key, allowed<Value>(parameter.range));
@@ -87,17 +87,17 @@ void read_members(const SceneEntry& entry, T& target, Demand demand) {
   });
 }
 
-/// A table that has T's keys and no others.
+/// Reads a table that has the keys of T and no others.
 template <Declared T>
 T read_table(const SceneEntry& entry, Demand demand = Demand::required_keys) {
   entry.expect_table();
-  entry.refuse_unknown(keys_of<T>());
+  entry.refuse_unknown(keys_of<T>(), former_names_of<T>());
   T target;
   read_members(entry, target, demand);
   return target;
 }
 
-/// A list of such tables.
+/// Reads a list of such tables.
 template <class T>
 std::vector<T> read_list(const SceneEntry& entry) {
   if (!entry.node().is_array()) entry.refuse("a list of tables");

@@ -68,15 +68,17 @@ T read_list_member(const SceneEntry& entry, const Scene&) {
   return read_table<T>(entry);
 }
 
-/// A material's table holds the keys of every effect beside its own.
+/// The table of a material holds the keys of every effect beside its own keys.
 template <>
 Material read_list_member<Material>(const SceneEntry& entry, const Scene& scene) {
   entry.expect_table();
   std::vector<std::string> known = keys_of<Material>();
+  FormerNames former = former_names_of<Material>();
   for_each_effect([&]<class Effect>() {
     for (const std::string& key : keys_of<typename Effect::Material>()) known.push_back(key);
+    former.merge(former_names_of<typename Effect::Material>());
   });
-  entry.refuse_unknown(known);
+  entry.refuse_unknown(known, former);
   Material material;
   read_members(entry, material, Demand::required_keys);
   for_each_effect([&]<class Effect>() {
@@ -125,6 +127,7 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& name, cons
   scene.file = name;
   scene.quality = options.quality;
   read_root(SceneEntry(document, table), scene);
+  scene.notices = document.notices;
   return scene;
 }
 

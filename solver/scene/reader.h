@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a TOML file to a Scene.
+// Reads a scene from a TOML file.
 #pragma once
 
 #include <filesystem>
@@ -13,8 +13,8 @@ namespace bake {
 
 struct ReadOptions {
   Quality quality = Quality::paper;
-  /// Each `key=value`: any dotted scene key (`run.end_s=2`, `body.0.temperature_C=5`, `material.dough.density_kg_per_m3=500`;
-  /// members of lists by index or name) and a TOML value; what is no TOML value is taken as a word (`run.precision=double`).
+  /// Each is `key=value` with any dotted scene key (`run.end_s=2`, `body.0.temperature_C=5`, `material.dough.density_kg_per_m3=500`;
+  /// members of lists by index or name) and a TOML value; a value that is no TOML is taken as a word (`run.precision=double`).
   std::vector<std::string> overrides;
 };
 
@@ -22,7 +22,7 @@ struct ReadOptions {
 /// Throws InputError, one line, for everything that is wrong: `bread.toml:12: run.end_s: found -5, allowed: a number above 0`.
 Scene read_scene(const std::filesystem::path& file, const ReadOptions& options = {});
 
-/// The same from text in memory; `name` stands for the file in messages and gives the folder of relative paths.
+/// Reads a scene from text in memory; `name` stands for the file in messages and gives the folder of relative paths.
 Scene parse_scene(std::string_view text, const std::filesystem::path& name, const ReadOptions& options = {});
 
 }  // namespace bake

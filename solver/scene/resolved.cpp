@@ -7,19 +7,20 @@
 #include <utility>
 
 #include "solver/effects/all_effects.h"
+#include "solver/scene/catalogue.h"
 #include "solver/scene/json_value.h"
 #include "solver/scene/layout.h"
 
 namespace bake {
 namespace {
 
-/// File names may be any bytes, JSON is UTF-8.
+/// A file name may hold any bytes, but JSON must be UTF-8.
 nlohmann::json json_path(const std::filesystem::path& path) {
   using nlohmann::json;
   return json::parse(json(path.generic_string()).dump(-1, ' ', false, json::error_handler_t::replace));
 }
 
-/// As the scene file would write it: from its own folder if that can be said.
+/// The path as the scene file would write it: relative to the scene's folder if possible.
 nlohmann::json json_path_in_scene(const std::filesystem::path& path, const Scene& scene) {
   if (path.empty()) return {};
   const std::filesystem::path relative = path.lexically_relative(scene.file.parent_path());
@@ -57,13 +58,25 @@ nlohmann::json json_section(const std::vector<T>& list, const Scene& scene) {
   return array;
 }
 
+/// Renames every key that has a former name to it, in an object and in all objects inside it.
+void take_former_names(nlohmann::json& values, const FormerNames& former) {
+  if (!values.is_structured()) return;
+  for (nlohmann::json& value : values) take_former_names(value, former);
+  if (!values.is_object()) return;
+  for (const auto& [old, name] : former) {
+    if (!values.contains(name)) continue;
+    values[old] = std::move(values[name]);
+    values.erase(name);
+  }
+}
+
 std::uint64_t fnv1a(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
   return hash;
 }
 
-/// A basic string of TOML: JSON's escapes are TOML's too, but for DEL.
+/// A basic string of TOML. JSON's escapes are valid in TOML, but TOML wants DEL escaped, too.
 std::string toml_string(const std::string& text) {
   std::string quoted = nlohmann::json(text).dump();
   for (std::size_t at = quoted.find('\x7f'); at != std::string::npos; at = quoted.find('\x7f', at)) quoted.replace(at, 1, "\\u007f");
@@ -99,12 +112,22 @@ nlohmann::json resolved(const Scene& scene) {
   return object;
 }
 
+nlohmann::json under_former_names(nlohmann::json resolved_scene) {
+  FormerNames former;
+  for (const CatalogueSection& section : catalogue()) {
+    for (const CatalogueKey& key : section.keys)
+      if (!key.former.empty()) former.emplace(key.former, key.key);
+  }
+  take_former_names(resolved_scene, former);
+  return resolved_scene;
+}
+
 std::string scene_fingerprint(const Scene& scene) {
   nlohmann::json values = resolved(scene);
   values.erase("file");
   values["run"].erase("end_s");
   values["run"].erase("checkpoint_every_frames");
-  return fmt::format("{:016x}", fnv1a(values.dump()));
+  return fmt::format("{:016x}", fnv1a(under_former_names(std::move(values)).dump()));
 }
 
 std::string default_text(const nlohmann::json& value) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene as plain data: everything a run needs to know, in SI units, as read from a TOML file.
+// A scene as plain data: all that a run needs, in SI units, as read from a TOML file.
 #pragma once
 
 #include <filesystem>
@@ -55,7 +55,7 @@ struct Body {
   double particles_per_cell = 6;
   double jitter = 0.5;
   Vector3 velocity_m_per_s = {0, 0, 0};
-  Vector3 spin_rad_per_s = {0, 0, 0};
+  Vector3 angular_velocity_rad_per_s = {0, 0, 0};
   std::optional<double> temperature_C;  ///< default: the material's initial temperature
   std::optional<double> saturation;     ///< default: the material's initial saturation
   double leavener = 1;
@@ -71,7 +71,8 @@ struct Body {
         Parameter{"jitter", &Body::jitter, "1", fraction,
                   "random displacement of lattice particles, in lattice spacings (1: anywhere in its own cube)"},
         Parameter{"velocity_m_per_s", &Body::velocity_m_per_s, "m/s", any_number, "start velocity"},
-        Parameter{"spin_rad_per_s", &Body::spin_rad_per_s, "rad/s", any_number, "start angular velocity about the body's centre of mass"},
+        Parameter{"angular_velocity_rad_per_s", &Body::angular_velocity_rad_per_s, "rad/s", any_number,
+                  "omega: start angular velocity about the body's centre of mass", Presence::optional, "spin_rad_per_s"},
         Parameter{"temperature_C", &Body::temperature_C, "C", above_absolute_zero, "start temperature; the material's unless given"},
         Parameter{"saturation", &Body::saturation, "1", fraction, "start saturation; the material's unless given"},
         Parameter{"leavener", &Body::leavener, "1", non_negative, "leavener relative to the material's"},
@@ -90,8 +91,8 @@ struct Collider {
   Contact contact = Contact::separating;
   double friction = 0;
   bool expels = false;
-  std::optional<Curve> temperature_C;  ///< unset: no conduction, the oven's air reaches between
-  double exchange_W_per_m2K = 0;
+  std::optional<Curve> temperature_C;  ///< unset: it conducts no heat, and the oven's air reaches between it and the dough
+  double heat_transfer_coefficient_W_per_m2K = 0;
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"name", &Collider::name, "", any_number, "for messages and the ledger"},
@@ -103,11 +104,11 @@ struct Collider {
         Parameter{"contact", &Collider::contact, "", any_number, "sticky, slip (no parting), or separating with Coulomb friction"},
         Parameter{"friction", &Collider::friction, "1", non_negative, "Coulomb coefficient (contact = \"separating\")"},
         Parameter{"expels", &Collider::expels, "", any_number,
-                  "also moves particles out of it, one by one: for blades, which the grid alone lets dough pass through"},
+                  "also moves single particles out of it: for blades, which are so thin that the grid alone would let dough pass"},
         Parameter{"temperature_C", &Collider::temperature_C, "C", above_absolute_zero,
                   "conductive theta over time; without it the collider passes no heat"},
-        Parameter{"exchange_W_per_m2K", &Collider::exchange_W_per_m2K, "W/(m^2 K)", non_negative,
-                  "conductive beta: heat exchange where dough touches it"},
+        Parameter{"heat_transfer_coefficient_W_per_m2K", &Collider::heat_transfer_coefficient_W_per_m2K, "W/(m^2 K)", non_negative,
+                  "conductive beta: heat transfer coefficient where dough touches it", Presence::optional, "exchange_W_per_m2K"},
     };
   }
 };
@@ -120,7 +121,7 @@ struct Grip {
   Vector3 pivot_m = {0, 0, 0};
   double from_s = -k_infinity;
   double until_s = k_infinity;
-  std::optional<Curve> temperature_C;  ///< holds this temperature inside, too
+  std::optional<Curve> temperature_C;  ///< also holds this temperature inside
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"name", &Grip::name, "", any_number, "for messages and the ledger"},
@@ -134,7 +135,7 @@ struct Grip {
   }
 };
 
-/// [[emitter]] - pours material: each time what was poured has moved its own length away, the shape is filled anew.
+/// [[emitter]] - pours material: the shape is filled again each time the last filling has moved away by its own length.
 struct Emitter {
   std::string name;
   std::string material;
@@ -180,6 +181,7 @@ struct Scene {
   std::vector<Collider> colliders;
   std::vector<Grip> grips;
   std::vector<Emitter> emitters;
+  std::vector<std::string> notices;  ///< lines for the author of the file: keys that were read under their former names
 
   bool lists(std::string_view effect) const;                     ///< is the effect on?
   double dx() const { return grid.dx_m * coarsening(quality); }  ///< node distance of this run [m]

@@ -13,7 +13,7 @@ namespace bake {
 
 enum class Quality { draft, standard, paper };
 constexpr auto choice_names(Quality) { return std::array{"draft", "standard", "paper"}; }
-/// Factor on dx: particle counts fall to about 1/64 and 1/8 of the paper's.
+/// The factor on dx. Draft and standard have about 1/64 and 1/8 of the particles of paper quality.
 constexpr double coarsening(Quality quality) { return quality == Quality::draft ? 4 : quality == Quality::standard ? 2 : 1; }
 
 enum class Precision { single_precision, double_precision };
@@ -53,7 +53,7 @@ struct GridSettings {
   }
 };
 
-/// What happens at one face of the domain. `open`: particles that pass are retired and booked.
+/// The rule at one face of the domain. `open`: particles that pass it are removed and booked as retired.
 enum class Face { sticky, slip, separating, open };
 constexpr auto choice_names(Face) { return std::array{"sticky", "slip", "separating", "open"}; }
 
@@ -111,13 +111,13 @@ struct SurfaceSettings {
 /// [oven] - the surroundings of every free surface.
 struct Oven {
   Curve temperature_C{20};
-  Curve exchange_W_per_m2K{0};
+  Curve heat_transfer_coefficient_W_per_m2K{0};
   Curve equilibrium_saturation{0};
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"temperature_C", &Oven::temperature_C, "C", above_absolute_zero, "theta_out: ambient temperature over time"},
-        Parameter{"exchange_W_per_m2K", &Oven::exchange_W_per_m2K, "W/(m^2 K)", non_negative,
-                  "beta: heat exchange of a free surface over time"},
+        Parameter{"heat_transfer_coefficient_W_per_m2K", &Oven::heat_transfer_coefficient_W_per_m2K, "W/(m^2 K)", non_negative,
+                  "beta: heat transfer coefficient of a free surface over time", Presence::optional, "exchange_W_per_m2K"},
         Parameter{"equilibrium_saturation", &Oven::equilibrium_saturation, "1", fraction,
                   "s_out: saturation that the air's humidity would keep at the surface, over time"},
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What in a valid scene looks like a slip: `bake info` says it.
+// Warnings about a valid scene that looks like a mistake; `bake info` prints them.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@ namespace bake {
 
 struct Scene;
 
-/// One line for every effect that is listed though the scene leaves it nothing to do, which only costs time, and for every effect that
-/// is not listed though a material that is used has a coefficient of it, which then means nothing. Materials no body and no emitter
-/// is made of are not looked at.
+/// One line for every effect that is listed although it can change nothing in this scene (it only costs time), and one for every effect
+/// that is not listed although a material in use has a coefficient of it (which is then ignored). Materials that no body and no emitter
+/// uses are not checked.
 std::vector<std::string> warnings_about(const Scene& scene);
 
 }  // namespace bake

@@ -142,6 +142,18 @@ TEST(CommandLine, InfoWarnsOfAnEffectThatAMaterialNamesAndTheSceneDoesNotList) {
   expect_success(place, "info warm.toml", "material.dough.conductivity_W_per_mK is given, but effects does not list heat");
 }
 
+TEST(CommandLine, AKeyUnderItsFormerNameGetsOneLineOfNoticeUnlessQuiet) {
+  const Workplace place;
+  place.write("old.toml", contents(place.folder() / "experiments/fig01_dough/dough.toml") + "spin_rad_per_s = [0, 0, 1]\n");
+  const std::string file = contents(place.folder() / "old.toml");
+  const auto line = std::count(file.begin(), file.end(), '\n');
+  const std::string notice = "bake: old.toml:" + std::to_string(line) +
+                             ": body.0.spin_rad_per_s is now called angular_velocity_rad_per_s; the old name is read until 1.0\n";
+  for (const std::string command : {"validate", "info"}) EXPECT_EQ(place.bake(command + " old.toml").err, notice) << command;
+  EXPECT_EQ(place.bake("run old.toml --frames 1").err.rfind(notice, 0), 0u);
+  EXPECT_EQ(place.bake("run old.toml --frames 1 --quiet").err, "");
+}
+
 TEST(CommandLine, AnInvalidSceneIsListedAsSuch) {
   const Workplace place;
   place.write("experiments/fig02_bad/bad.toml", "title = 3\n");

@@ -111,7 +111,7 @@ TEST_F(AFigure, RunsOnlyWhatIsMissing) {
   EXPECT_FALSE(fs::exists(place.folder() / "results/items"));
   const auto made = fs::last_write_time(place.folder() / "results/soft-draft/run.json");
   const Outcome outcome = place.bake("figure 1");
-  EXPECT_NE(outcome.err.find("run soft: is there"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("run soft: is finished already"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("run hard: begins"), std::string::npos) << outcome.err;
   EXPECT_EQ(fs::last_write_time(place.folder() / "results/soft-draft/run.json"), made);
 }
@@ -119,7 +119,7 @@ TEST_F(AFigure, RunsOnlyWhatIsMissing) {
 TEST_F(AFigure, GoesOnWithWhatIsHalfFinished) {
   ASSERT_EQ(place.bake("run dough --frames 1 --quiet --out results/soft-draft").exit_code, 0);
   const Outcome outcome = place.bake("figure 1");
-  EXPECT_NE(outcome.err.find("run soft: goes on from its checkpoint"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("run soft: resumes from its checkpoint"), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out;
   EXPECT_TRUE(fs::exists(place.folder() / "results/soft-draft/frames/0002.hdf"));
 }

@@ -28,8 +28,8 @@ class AFreeFlight : public testing::TestWithParam<Flight> {
     dough.motion = flight.motion;
     dough.precision = flight.precision;
     dough.ball = "ellipsoid = { half_axes_m = [0.3, 0.25, 0.2] }";
-    dough.body = "velocity_m_per_s = [1.2, -0.5, 0.7]\nspin_rad_per_s = [5, 4, -5]\ntemperature_C = 40";
-    dough.tables = "[oven]\ntemperature_C = 100\nexchange_W_per_m2K = 1000\n";
+    dough.body = "velocity_m_per_s = [1.2, -0.5, 0.7]\nangular_velocity_rad_per_s = [5, 4, -5]\ntemperature_C = 40";
+    dough.tables = "[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 1000\n";
   }
   double tolerance(int steps) const { return steps * round_off(dough.precision); }
 };

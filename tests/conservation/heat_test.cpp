@@ -11,7 +11,8 @@ Dough baked(const char* integrator, const char* precision = "double") {
   dough.effects = "heat";
   dough.precision = precision;
   dough.body = "temperature_C = 20";
-  dough.tables = fmt::format("[heat]\nintegrator = \"{}\"\n[oven]\ntemperature_C = 100\nexchange_W_per_m2K = 500\n", integrator);
+  dough.tables =
+      fmt::format("[heat]\nintegrator = \"{}\"\n[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 500\n", integrator);
   return dough;
 }
 
@@ -105,7 +106,7 @@ TEST(AHeatedCollider, GivesTheHeatThatItBooks) {
   dough.tables = R"([[collider]]
 shape = { half_space = { point_m = [0, 0, -0.25], normal = [0, 0, 1] } }
 temperature_C = 150
-exchange_W_per_m2K = 500
+heat_transfer_coefficient_W_per_m2K = 500
 )";
   dough.ball = "box = { half_extents_m = [0.25, 0.25, 0.25] }";
   const auto s = dough.begin();

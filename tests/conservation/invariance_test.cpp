@@ -23,9 +23,10 @@ std::vector<NewParticle> ball_of(const Scene& scene, const Point& centre) {
     Vector3 r{uniform(random), uniform(random), uniform(random)};
     for (double& c : r) c = std::ldexp(std::round(std::ldexp(0.25 * c, 20)), -20);
     if (length(r) > 0.25) continue;
-    const Vector3 spin{3, -4, 5};
+    const Vector3 angular_velocity{3, -4, 5};
     const Vector3 stretch{2 * r[0], -r[1], 3 * r[2]};
-    particles.push_back({centre + r, 0.0625 * 0.0625 * 0.0625 / 10, 0, cross(spin, r) + stretch, spin, &scene.bodies[0]});
+    particles.push_back(
+        {centre + r, 0.0625 * 0.0625 * 0.0625 / 10, 0, cross(angular_velocity, r) + stretch, angular_velocity, &scene.bodies[0]});
   }
   return particles;
 }
@@ -65,7 +66,7 @@ Dough everything() {
   dough.effects = k_everything;
   dough.material = Dough::properties(Dough::moving_water());
   dough.body = "temperature_C = 40";
-  dough.tables = "[oven]\ntemperature_C = 100\nexchange_W_per_m2K = 100\n";
+  dough.tables = "[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 100\n";
   return dough;
 }
 
@@ -136,7 +137,7 @@ TEST(TheResult, InTheMirrorIsTheMirroredResult) {
     for (NewParticle& p : mirrored) {
       p.x[axis] = -p.x[axis];
       p.velocity[axis] = -p.velocity[axis];
-      for (std::size_t d = 0; d < 3; ++d) p.spin[d] *= d == axis ? 1 : -1;  // an axial vector
+      for (std::size_t d = 0; d < 3; ++d) p.angular_velocity[d] *= d == axis ? 1 : -1;  // an axial vector
     }
     expect_close(flown<double>(scene, particles), flown<double>(scene, mirrored), mirror);
   }
@@ -152,14 +153,14 @@ Scene pressed(const Rotation& turn) {
   dough.gravity = text(turn * Vector3{3, -2, -9.81});
   dough.tables += fmt::format(
       "[[collider]]\nshape = {{ box = {{ centre_m = {}, half_extents_m = {} }} }}\nfriction = 0.4\ntemperature_C = 90\n"
-      "exchange_W_per_m2K = 300\nmotion = [{{ time_s = 0 }}, {{ time_s = 1, position_m = {} }}]\n",
+      "heat_transfer_coefficient_W_per_m2K = 300\nmotion = [{{ time_s = 0 }}, {{ time_s = 1, position_m = {} }}]\n",
       text(turn * Vector3{0.01, 0.02, -0.323}), text(half), text(turn * Vector3{0.5, 0.25, 1}));
   return dough.scene();
 }
 
 /// The particles turned about the origin.
 std::vector<NewParticle> turned(const Rotation& turn, std::vector<NewParticle> particles) {
-  for (NewParticle& p : particles) p.x = turn * p.x, p.velocity = turn * p.velocity, p.spin = turn * p.spin;
+  for (NewParticle& p : particles) p.x = turn * p.x, p.velocity = turn * p.velocity, p.angular_velocity = turn * p.angular_velocity;
   return particles;
 }
 
@@ -190,9 +191,10 @@ std::vector<NewParticle> lattice_ball(const Scene& scene, double dx) {
   for (int i = -most; i < most; ++i)
     for (int j = -most; j < most; ++j)
       for (int k = -most; k < most; ++k) {
-        const Vector3 r{(i + 0.5) * h, (j + 0.5) * h, (k + 0.5) * h}, spin{3, -4, 5};
+        const Vector3 r{(i + 0.5) * h, (j + 0.5) * h, (k + 0.5) * h}, angular_velocity{3, -4, 5};
         if (length(r) < k_radius)
-          particles.push_back({r, h * h * h, 0, cross(spin, r) + Vector3{2 * r[0], -r[1], 3 * r[2]}, spin, &scene.bodies[0]});
+          particles.push_back(
+              {r, h * h * h, 0, cross(angular_velocity, r) + Vector3{2 * r[0], -r[1], 3 * r[2]}, angular_velocity, &scene.bodies[0]});
       }
   return particles;
 }
@@ -300,7 +302,7 @@ TEST(UniformMotion, DoesNothingToDoughInEquilibrium) {
 // The velocities of a snapshot are those of its particles, also where particles have just changed their blocks.
 TEST(ASnapshot, ShowsEveryParticlesOwnVelocity) {
   Dough dough;
-  dough.body = "spin_rad_per_s = [0, 0, 8]\nvelocity_m_per_s = [3, 1, 0]";
+  dough.body = "angular_velocity_rad_per_s = [0, 0, 8]\nvelocity_m_per_s = [3, 1, 0]";
   dough.dt = 2e-3;
   const auto s = dough.begin();
   const std::int64_t orderings = s->counters().orderings;
@@ -321,7 +323,7 @@ std::vector<Vector3> fallen(const std::string& effects, const std::string& mater
   Dough dough;
   dough.effects = effects;
   dough.ball = "sphere = { centre_m = [0, 0, -0.7], radius_m = 0.25 }";
-  dough.body = "velocity_m_per_s = [0, 0, -3]\nspin_rad_per_s = [2, 3, 4]";
+  dough.body = "velocity_m_per_s = [0, 0, -3]\nangular_velocity_rad_per_s = [2, 3, 4]";
   dough.gravity = "[0, 0, -9.81]";
   dough.material = "density_kg_per_m3 = 500\nyoung_modulus_Pa = 2e4\n" + material;
   dough.tables = tables;

@@ -28,12 +28,12 @@ latent_heat_J_per_kg = 1e3
 reference_pressure_Pa = 4000
 [oven]
 temperature_C = [[0, 60], [1, 120]]
-exchange_W_per_m2K = 200
+heat_transfer_coefficient_W_per_m2K = 200
 [[collider]]
 shape = { box = { centre_m = [-0.7, 0, -0.6], half_extents_m = [0.3, 0.4, 0.3] } }
 motion = [{ time_s = 0 }, { time_s = 0.5, position_m = [0.6, 0, 0] }]
 temperature_C = 90
-exchange_W_per_m2K = 300
+heat_transfer_coefficient_W_per_m2K = 300
 friction = 0.4
 [[grip]]
 shape = { sphere = { centre_m = [0, 0, -0.9], radius_m = 0.12 } }

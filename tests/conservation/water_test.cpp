@@ -13,7 +13,7 @@ Dough drying(const std::string& effects, const std::string& precision = "double"
   dough.effects = effects;
   dough.precision = precision;
   dough.material = Dough::properties(Dough::moving_water());
-  dough.body = "temperature_C = 60\nvelocity_m_per_s = [1, 0, 0]\nspin_rad_per_s = [0, 0, 4]";
+  dough.body = "temperature_C = 60\nvelocity_m_per_s = [1, 0, 0]\nangular_velocity_rad_per_s = [0, 0, 4]";
   return dough;
 }
 
@@ -83,9 +83,9 @@ double hit_by_a_drier_ball(bool uniform) {
   dough.dt = 2e-4;
   dough.material = Dough::properties("diffusivity_m2_per_sK = 2e-4");
   dough.ball = "sphere = { centre_m = [0, 0, -0.15], radius_m = 0.5 }";
-  dough.body =
-      std::string("temperature_C = 60\nsaturation = 0.4\n") + (uniform ? "" : "spin_rad_per_s = [0, 0, 4]\nvelocity_m_per_s = [1, 0, 0]");
-  dough.tables = std::string(uniform ? "" : "[oven]\ntemperature_C = 100\nexchange_W_per_m2K = 1000\n") + R"([[body]]
+  dough.body = std::string("temperature_C = 60\nsaturation = 0.4\n") +
+               (uniform ? "" : "angular_velocity_rad_per_s = [0, 0, 4]\nvelocity_m_per_s = [1, 0, 0]");
+  dough.tables = std::string(uniform ? "" : "[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 1000\n") + R"([[body]]
 material = "dough"
 particles_per_cell = 8
 temperature_C = 60

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every case of `bake study convergence` at its quick resolutions. Bands and their reasons stand with the cases, in
-// studies/convergence, and are printed where one is missed.
+// experiments/convergence, and are printed where one is missed.
 #include <gtest/gtest.h>
 
 #include "experiments/common/order.h"

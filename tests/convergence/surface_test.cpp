@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `bake study surface` at its quick resolutions. Bands and their reasons stand in studies/surface.
+// `bake study surface` at its quick resolutions. Bands and their reasons stand in experiments/surface.
 #include "experiments/surface/surface.h"
 
 #include <gtest/gtest.h>

@@ -57,7 +57,7 @@ production_mol_per_kgs = 0.3
 }
 
 std::string blob(const std::string& material, const std::string& shape, const std::string& state, Dice& dice) {
-  const std::string spin = dice.vector(-4, 4), velocity = dice.vector(-1.5, 1.5);
+  const std::string angular_velocity = dice.vector(-4, 4), velocity = dice.vector(-1.5, 1.5);
   return fmt::format(R"(
 [[body]]
 material = "{}"
@@ -65,10 +65,10 @@ shape = {{ {} }}
 particles_per_cell = {:.17g}
 jitter = 1
 velocity_m_per_s = {}
-spin_rad_per_s = {}
+angular_velocity_rad_per_s = {}
 {}
 )",
-                     material, shape, dice.between(5, 9), velocity, spin, state);
+                     material, shape, dice.between(5, 9), velocity, angular_velocity, state);
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ friction = 0.2
 {}
 [oven]
 temperature_C = [[0, 120], [1, 200]]
-exchange_W_per_m2K = 300
+heat_transfer_coefficient_W_per_m2K = 300
 equilibrium_saturation = 0.05
 [motion]
 gravity_m_per_s2 = {}
@@ -125,7 +125,7 @@ water_specific_heat_J_per_kgK = 40
 shape = {{ half_space = {{ point_m = [0, 0, -0.21], normal = {} }} }}
 friction = 0.3
 temperature_C = 180
-exchange_W_per_m2K = 200
+heat_transfer_coefficient_W_per_m2K = 200
 [[collider]]
 shape = {{ sphere = {{ centre_m = {}, radius_m = 0.2 }} }}
 contact = "sticky"

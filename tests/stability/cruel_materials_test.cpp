@@ -30,12 +30,12 @@ Dough dropped(const std::string& material, const std::string& precision = "doubl
   dough.ball = "sphere = { centre_m = [0.01, 0.02, -0.5], radius_m = 0.3 }";
   dough.tables = R"([oven]
 temperature_C = 200
-exchange_W_per_m2K = 500
+heat_transfer_coefficient_W_per_m2K = 500
 [[collider]]
 shape = { half_space = { point_m = [0, 0, -0.9], normal = [0, 0, 1] } }
 friction = 0.3
 temperature_C = 200
-exchange_W_per_m2K = 500
+heat_transfer_coefficient_W_per_m2K = 500
 )";
   return dough;
 }
@@ -124,7 +124,7 @@ void expect_let_go(double ratio, const char* precision) {
   dough.dt = 0.02;
   dough.ball = "sphere = { radius_m = 0.3 }";
   dough.material = changed({});
-  dough.tables = "[oven]\ntemperature_C = 100\nexchange_W_per_m2K = 100\n";
+  dough.tables = "[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 100\n";
   const double rate = ratio > 1 ? 2 : -2, time = std::log(ratio) / (3 * rate);
   Watched ball(dough);
   ball->set_force([=](const Point& x, const Vector3&, double, double) { return rate * x; });
@@ -179,7 +179,7 @@ TEST(ANodeOfAlmostNoMass, GivesNobodyASpeed) {
     dough.dt = 1e-3;
     dough.material = Dough::properties(Dough::moving_water());
     dough.body = "jitter = 0\nvelocity_m_per_s = [1, 0, 0]";
-    dough.tables = "[oven]\ntemperature_C = 100\nexchange_W_per_m2K = 100\n";
+    dough.tables = "[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 100\n";
     dough.ball = fmt::format("box = {{ centre_m = [{:.17g}, 0.01, 0.02], half_extents_m = [0.2, 0.2, 0.2] }}", at * dough.dx);
     Watched block(dough);
     ASSERT_NO_FATAL_FAILURE(block.run(0.05));

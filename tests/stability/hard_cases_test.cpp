@@ -15,7 +15,7 @@ TEST(AStepAskedForFarTooLarge, IsCutToWhatIsStable) {
   Dough dough = small();
   dough.effects = k_everything;
   dough.dt = 10;
-  dough.tables = "[time]\nlargest_step_s = 1e3\n[oven]\ntemperature_C = 100\nexchange_W_per_m2K = 100\n";
+  dough.tables = "[time]\nlargest_step_s = 1e3\n[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 100\n";
   Watched ball(dough);
   ASSERT_NO_FATAL_FAILURE(ball.run(0.3));
   EXPECT_LT(ball->dt(), 0.02);
@@ -257,7 +257,7 @@ Dough lonely(const std::string& effects) {
   Dough dough = small();
   dough.effects = effects;
   dough.material = Dough::properties(Dough::moving_water());
-  dough.tables = "[oven]\ntemperature_C = 100\nexchange_W_per_m2K = 100\n";
+  dough.tables = "[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 100\n";
   // one point of the lattice, spacing dx / 2, lies in the middle of a box no larger than a spacing
   dough.ball = "box = { centre_m = [0.01, 0.02, 0.03], half_extents_m = [0.03, 0.03, 0.03] }";
   return dough;
@@ -312,7 +312,7 @@ TEST(AllWater, CanEvaporateAndNoneIsOwed) {
         dough.gravity = "[0, 0, 0]";
         dough.ball = shape;
         dough.material = Dough::properties("diffusivity_m2_per_sK = 2e-3\nevaporation_kg_per_m2sK = 50");
-        dough.tables = "[oven]\ntemperature_C = 100\nexchange_W_per_m2K = 100\n";
+        dough.tables = "[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 100\n";
         Watched drying(dough);
         ASSERT_NO_FATAL_FAILURE(drying.run(effects == k_everything ? 5 : 15));
         EXPECT_LT(drying.now().water, (precision[0] == 'd' ? 1e-16 : 1e-7) * drying.start().water) << effects << ", " << shape;
@@ -338,7 +338,7 @@ TEST(ADoughHeatedFromTheFreezerTo400DegreesInOneFrame, StaysFinite) {
   Dough dough = small();
   dough.effects = k_everything;
   dough.body = "temperature_C = -20";
-  dough.tables = "[oven]\ntemperature_C = 400\nexchange_W_per_m2K = 1e5\n";
+  dough.tables = "[oven]\ntemperature_C = 400\nheat_transfer_coefficient_W_per_m2K = 1e5\n";
   Watched ball(dough);
   ASSERT_NO_FATAL_FAILURE(ball.run(0.04));
   EXPECT_GT(ball->highest(highest::temperature), 350);

@@ -47,7 +47,7 @@ TEST_F(RenderProgram, MakesPicturesSlicesSurfacesAndMontages) {
 
 TEST_F(RenderProgram, MakesAMovieOfNumberedPicturesAndCallsFfmpegIfItIsThere) {
   EXPECT_EQ(call("movie view.toml run --out film --every 2", "env PATH=/nowhere"), 0) << contents(folder / ".err");
-  EXPECT_NE(contents(folder / ".out").find("2 pictures in film; for an mp4 apt-get install ffmpeg"), std::string::npos);
+  EXPECT_NE(contents(folder / ".out").find("2 pictures in film; to get an mp4, apt-get install ffmpeg"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(folder / "film/0001.png"));
   EXPECT_FALSE(std::filesystem::exists(folder / "film/0002.png"));
 

@@ -75,13 +75,13 @@ TEST(RigidPath, ToDrawnUndoesToWorld) {
 
 TEST(RigidPath, TurnsWholeTurnsAboutOneAxisAsWritten) {
   const RigidPath twist({{0, {0, 0, 0}, {0, 0, 0}}, {2, {0, 0, 0}, {0, 0, 720}}}, {0, 0, 0});
-  expect_near(twist.at(0.5).spin, {0, 0, 2 * std::numbers::pi}, 1e-13);
+  expect_near(twist.at(0.5).angular_velocity, {0, 0, 2 * std::numbers::pi}, 1e-13);
   expect_near(twist.at(0.25).to_world({1, 0, 0}), {0, 1, 0}, 1e-13);
 }
 
 TEST(RigidPath, TurnsTheShorterWayBetweenDifferentAxes) {
   const RigidPath path({{0, {0, 0, 0}, {0, 0, 179}}, {1, {0, 0, 0}, {0, 1e-3, -179}}}, {0, 0, 0});
-  EXPECT_NEAR(length(path.at(0.5).spin), 2 * k_rad_per_deg, 1e-4);
+  EXPECT_NEAR(length(path.at(0.5).angular_velocity), 2 * k_rad_per_deg, 1e-4);
 }
 
 TEST(RigidPath, LargestSpeedBoundsEveryPointOfTheBox) {

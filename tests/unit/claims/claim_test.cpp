@@ -42,10 +42,10 @@ TEST(AClaim, ComparesWithAnotherRunTimesAFactor) {
 
 TEST(AClaim, OfAnOrderHoldsOnlyIfEveryStepDoes) {
   Claim c = claim({"a", "b", "c"});
-  c.order = Order::rising;
+  c.order = Trend::rising;
   EXPECT_EQ(holds(c, {{"a", 1}, {"b", 2}, {"c", 3}}), (std::vector{true, true, true}));
   EXPECT_EQ(holds(c, {{"a", 1}, {"b", 1}, {"c", 3}}), (std::vector{true, false, true}));
-  c.order = Order::falling;
+  c.order = Trend::falling;
   EXPECT_EQ(holds(c, {{"a", 3}, {"b", 2}, {"c", 2.5}}), (std::vector{true, true, false}));
   EXPECT_EQ(holds(c, {{"a", std::nan("")}, {"b", 2}, {"c", 1}}), (std::vector{false, false, true}));
 }

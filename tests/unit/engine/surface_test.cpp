@@ -9,7 +9,7 @@ namespace {
 /// Area that the measure finds at the start of a scene [m^2].
 double measured_area(Dough dough) {
   dough.effects = "heat";
-  dough.tables += "[oven]\nexchange_W_per_m2K = 1\n";
+  dough.tables += "[oven]\nheat_transfer_coefficient_W_per_m2K = 1\n";
   return dough.begin()->booked(booked::area);
 }
 

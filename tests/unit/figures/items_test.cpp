@@ -77,7 +77,7 @@ TEST_F(ItemsFile, RefusesLinksThatLeadNowhere) {
 
 TEST_F(ItemsFile, RefusesAnExperimentThatNobodyNames) {
   std::filesystem::create_directories(folder_ / "experiments/fig99_pie");
-  EXPECT_NE(error_of().find("found experiments/fig99_pie, of which no [[item]] or [[other]] tells"), std::string::npos);
+  EXPECT_NE(error_of().find("found experiments/fig99_pie, which no [[item]] or [[other]] names"), std::string::npos);
 }
 
 TEST_F(ItemsFile, RefusesWhatIsWrittenWrong) {

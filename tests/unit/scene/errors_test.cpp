@@ -91,8 +91,8 @@ TEST(SceneError, CurvesMustRiseInTime) {
             "bread.toml:11: oven.temperature_C.1: found time 0 after time 0, allowed: rising times");
   EXPECT_EQ(error_of(k_least + "[oven]\ntemperature_C = [[0, 20, 3]]\n"),
             "bread.toml:10: oven.temperature_C.0: found a list of 3, allowed: a pair [time_s, value]");
-  EXPECT_EQ(error_of(k_least + "[oven]\nexchange_W_per_m2K = [[0, -1]]\n"),
-            "bread.toml:10: oven.exchange_W_per_m2K.0.1: found -1, allowed: a number of at least 0");
+  EXPECT_EQ(error_of(k_least + "[oven]\nheat_transfer_coefficient_W_per_m2K = [[0, -1]]\n"),
+            "bread.toml:10: oven.heat_transfer_coefficient_W_per_m2K.0.1: found -1, allowed: a number of at least 0");
   EXPECT_NE(error_of(k_least + "[oven]\ntemperature_C = []\n").find("found a list of 0"), std::string::npos);
 }
 

@@ -48,7 +48,7 @@ TEST(Explain, ABareKeyListsEveryTableThatHasIt) {
 }
 
 TEST(Explain, TablesEffectsAndShapesHaveTheirKeysListed) {
-  EXPECT_TRUE(contains(explain("oven"), "exchange_W_per_m2K"));
+  EXPECT_TRUE(contains(explain("oven"), "heat_transfer_coefficient_W_per_m2K"));
   EXPECT_TRUE(contains(explain("heat"), "conductivity_W_per_mK"));
   EXPECT_TRUE(contains(explain("heat"), "integrator"));
   EXPECT_TRUE(contains(explain("leavening"), "needs plasticity and heat"));

@@ -24,8 +24,8 @@ TEST(Override, ReplacesAnyKey) {
 }
 
 TEST(Override, AddsKeysAndTablesThatAreNotThere) {
-  const Scene scene = parse(k_least, {"oven.exchange_W_per_m2K=3", "run.seed=5"});
-  EXPECT_EQ(scene.oven.exchange_W_per_m2K(0), 3);
+  const Scene scene = parse(k_least, {"oven.heat_transfer_coefficient_W_per_m2K=3", "run.seed=5"});
+  EXPECT_EQ(scene.oven.heat_transfer_coefficient_W_per_m2K(0), 3);
   EXPECT_EQ(scene.run.seed, 5);
 }
 

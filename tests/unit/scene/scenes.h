@@ -40,7 +40,7 @@ z_max = "open"
 largest_step_s = 0.01
 [oven]
 temperature_C = [[0, 20], [60, 200]]
-exchange_W_per_m2K = 25
+heat_transfer_coefficient_W_per_m2K = 25
 [motion]
 gravity_m_per_s2 = [0, 0, -1.62]
 [heat]

@@ -14,7 +14,7 @@ using Edits = std::vector<std::pair<std::string, std::string>>;
 /// Of a dough of which every effect has something to do, with some of its text replaced.
 std::string warnings(const std::string& effects, const Edits& edits = {}, const std::string& tables = "") {
   std::string text = fmt::format("effects = [{}]\n", effects) + k_least + R"([oven]
-exchange_W_per_m2K = 25
+heat_transfer_coefficient_W_per_m2K = 25
 [motion]
 gravity_m_per_s2 = [0, 0, -9.81]
 [[material]]
@@ -37,7 +37,7 @@ shape = { sphere = { centre_m = [0.5, 0.5, 0.5], radius_m = 0.1 } }
 const std::string k_all = R"("motion", "elasticity", "plasticity", "heat", "water", "leavening")";
 const std::string k_unleavened = R"("motion", "elasticity", "plasticity", "heat", "water")";
 const std::pair<std::string, std::string> k_no_leavener{"production_mol_per_kgs = 0.01\n", ""};
-const std::pair<std::string, std::string> k_no_exchange{"exchange_W_per_m2K = 25\n", ""};
+const std::pair<std::string, std::string> k_no_exchange{"heat_transfer_coefficient_W_per_m2K = 25\n", ""};
 const std::pair<std::string, std::string> k_no_gravity{"[0, 0, -9.81]", "[0, 0, 0]"};
 
 TEST(Doubts, AreNoneWhereEveryEffectHasSomethingToDo) {
@@ -56,8 +56,9 @@ TEST(Doubts, NameAListedEffectThatCannotMatter) {
   EXPECT_EQ(
       warnings(k_all, {{"material = \"dough\"", "material = \"dough\"\nleavener = 0"}}),
       "effects lists leavening, which cannot matter: leavener is zero in every body: no gas is made, only the air of the pores pushes");
-  EXPECT_EQ(warnings(k_unleavened, {k_no_leavener, k_no_exchange}),
-            "effects lists heat, which cannot matter: no exchange_W_per_m2K is above zero and everything starts equally warm");
+  EXPECT_EQ(
+      warnings(k_unleavened, {k_no_leavener, k_no_exchange}),
+      "effects lists heat, which cannot matter: no heat_transfer_coefficient_W_per_m2K is above zero and everything starts equally warm");
 }
 
 TEST(Doubts, DoNotConcernHeatThatLeaveningNeedsOrWhereAnythingIsWarmer) {
@@ -65,7 +66,8 @@ TEST(Doubts, DoNotConcernHeatThatLeaveningNeedsOrWhereAnythingIsWarmer) {
   EXPECT_EQ(warnings(k_unleavened, {k_no_leavener, {"W_per_m2K = 25", "W_per_m2K = [[0, 0], [9, 3]]"}}), "");
   const std::string body = "[[body]]\nmaterial = \"dough\"\ntemperature_C = 5\nshape = { sphere = { radius_m = 0.1 } }\n";
   EXPECT_EQ(warnings(k_unleavened, {k_no_leavener, k_no_exchange}, body), "");
-  const std::string tray = "[[collider]]\nname = \"tray\"\nexchange_W_per_m2K = 3\nshape = { half_space = { normal = [0, 0, 1] } }\n";
+  const std::string tray =
+      "[[collider]]\nname = \"tray\"\nheat_transfer_coefficient_W_per_m2K = 3\nshape = { half_space = { normal = [0, 0, 1] } }\n";
   EXPECT_EQ(warnings(k_unleavened, {k_no_leavener, k_no_exchange}, tray + "temperature_C = 180\n"), "");
   EXPECT_NE(warnings(k_unleavened, {k_no_leavener, k_no_exchange}, tray), "");  // it passes no heat
 }
@@ -80,7 +82,7 @@ TEST(Doubts, NameMotionOfWhatNothingMoves) {
   EXPECT_TRUE(is_still({k_no_gravity}, press));
   EXPECT_FALSE(is_still({}));
   EXPECT_FALSE(is_still({k_no_gravity}, press + "motion = [ { time_s = 0 }, { time_s = 1, position_m = [0, 0, 0.1] } ]\n"));
-  EXPECT_FALSE(is_still({k_no_gravity, {"radius_m = 0.1 } }", "radius_m = 0.1 } }\nspin_rad_per_s = [0, 0, 1]"}}));
+  EXPECT_FALSE(is_still({k_no_gravity, {"radius_m = 0.1 } }", "radius_m = 0.1 } }\nangular_velocity_rad_per_s = [0, 0, 1]"}}));
 }
 
 TEST(Doubts, NameAnEffectThatIsMissing) {
