@@ -1,18 +1,15 @@
 # SPDX-License-Identifier: MIT
-# Run by every build: cmake -D GIT=... -D SOURCES=... -D HEADER=... -P write_commit.cmake
-# Only what becomes the program makes it dirty: its sources and build files, with new files among them.
+# Run by every build: cmake -D GIT=... -D SOURCES=... -D HEADER=... -D PRINT_SOURCES=... -D ROOMS=... -P write_commit.cmake
+# Only what becomes the programs makes them dirty: their rooms and build files, with new files among them, but no page to read.
 set(BAKE_COMMIT "unknown")
 set(BAKE_SOURCES "unknown")
 
-# What decides the numbers of a run: one hash of the solver's own files, whatever git knows of them.
-file(GLOB_RECURSE files RELATIVE ${SOURCES}/solver ${SOURCES}/solver/*)
-list(FILTER files EXCLUDE REGEX "^program/")
-list(SORT files)
-foreach(file ${files})
-  file(SHA256 ${SOURCES}/solver/${file} hash)
-  string(APPEND hashes "${file} ${hash}\n")
-endforeach()
-string(SHA256 BAKE_SOLVER "${hashes}")
+# What decides the numbers of a run: one hash of what a compiler sees of the solver, whatever git knows of it.
+execute_process(COMMAND ${PRINT_SOURCES} ${SOURCES}/solver OUTPUT_VARIABLE canonical RESULT_VARIABLE status)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "${SOURCES}/solver: its sources cannot be read")
+endif()
+string(SHA256 BAKE_SOLVER "${canonical}")
 string(SUBSTRING ${BAKE_SOLVER} 0 16 BAKE_SOLVER)
 
 function(git result)
@@ -29,7 +26,7 @@ if(GIT)
   git(prefix rev-parse --show-prefix)
   if(prefix STREQUAL "")  # else unpacked inside some other repository: its commit says nothing of these sources
     git(BAKE_COMMIT rev-parse HEAD)
-    git(changes status --porcelain -- solver analysis experiments reference meshing cli CMakeLists.txt)
+    git(changes status --porcelain -- ${ROOMS} CMakeLists.txt CMakePresets.json bake :!*.md)
     if(changes STREQUAL "")
       set(BAKE_SOURCES "clean")
     elseif(NOT changes STREQUAL "unknown")

@@ -34,7 +34,7 @@ fresh_clone() {
   stand_in cmake 'mkdir -p build/$2; touch build/$2/build.ninja
 echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/$2/CMakeCache.txt
 for word in "$@"; do case $word in -DBAKE_*=ON) word=${word#-D}; echo "${word%=ON}:BOOL=ON" >>build/$2/CMakeCache.txt ;; esac; done'
-  stand_in ninja 'for name in bake bake-mesh bake-render bake-count bake_bench; do
+  stand_in ninja 'for name in bake bake-mesh bake-render bake-count bake_bench bake-same-code; do
 printf "#!/bin/bash\nprintf \"<%%s>\" \"\${0##*/}\" \"\$@\"; exit 7\n" >"$2/$name"; chmod +x "$2/$name"; done'
   stand_in ctest 'echo "100% tests passed"'
   : >"$sandbox/calls"
@@ -94,6 +94,13 @@ expect "counting has a build of its own" called "--preset reference"
 expect "counting needs valgrind" called "valgrind"
 run count bless --why 'a reason'
 expect "count gets its arguments" says '<bake-count><bless><--why><a reason>'
+mkdir -p "$clone/solver/identity"
+printf '#!/bin/bash\nprintf "<%%s>" "$CXX" "${1##*/}" "${@:2}"; exit 1\n' >"$clone/solver/identity/restamp.sh"
+chmod +x "$clone/solver/identity/restamp.sh"
+run restamp 'a commit'
+expect "stamping anew is a script that gets compiler, program and commit" says "<$tools/g++><bake-same-code><a commit>"
+expect "stamping anew builds what compares" called "bake_same_code"
+expect "stamping anew has its own exit code" exits_with 1
 run run bread
 expect "a run after figures is lean again" not called "bake_mesh"
 run test -R Transfer

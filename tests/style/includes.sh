@@ -14,6 +14,7 @@ solver/io: solver/core solver/boundary solver/scene bake_build.h bake_commit.h
 solver/engine: solver/core solver/boundary solver/effects solver/grid solver/scene solver/io
 solver/run: solver/core solver/boundary solver/effects solver/grid solver/scene solver/io solver/engine
 solver/program: solver/core solver/scene solver/io
+solver/identity:
 reference: solver
 analysis: solver
 meshing: solver analysis/claims

@@ -1,0 +1,175 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Tests how machine code is compared and kept data stamped anew, in a small tree of its own. Usage: restamp_test.sh <source folder>
+# <bake-same-code> <compiler>
+set -euo pipefail
+source_folder=$1 same_code=$2 compiler=$3
+sandbox=$(mktemp -d)
+trap 'rm -rf "$sandbox"' EXIT
+cd "$sandbox"
+failures=0
+was=0123456789abcdef now=fedcba9876543210 other=1111111111111111
+
+write() { mkdir -p "$(dirname "$1")" && cat >"$1"; }
+compiled() { # <folder>: its sources become its objects
+  local file
+  for file in "$1"/*.cpp; do "$compiler" -std=c++20 -O2 -ffunction-sections -fdata-sections -I"$1" -c "$file" -o "${file%.cpp}.o"; done
+}
+keep() { # data of three solvers
+  rm -rf data
+  printf '{"by":{"solver":"%s"},"found":1}\n{"by":{"solver":"%s"},"found":2}\n' $was $other | write data/paper/accuracy/case.jsonl
+  printf '{\n  "solver": "%s"\n}\n' $was | write data/results/bread/run.json
+  printf '{"solver": "%s", "words": "%s"}\n' $other $was | write data/results/tear/run.json
+  printf '{"solver": "%s"}\n' $was | write data/experiments/table01_timings/measured/bread.json
+  printf '"solver": "%s"\n' $was | write data/paper/page.md
+  rm -rf kept
+  cp -r data kept
+}
+restamp() { # <objects>: sets status and output
+  keep
+  status=0
+  output=$("$source_folder/solver/identity/restamp_if_same.sh" "$same_code" then "$1" $was $now data 2>&1) || status=$?
+}
+expect() { # <what holds> <condition...>
+  local what=$1
+  shift
+  if "$@"; then return; fi
+  failures=$((failures + 1))
+  printf 'FAILED: %s\n  status: %s\n  output: %s\n' "$what" "$status" "$output"
+}
+says() { [[ $output == *"$1"* ]]; }
+holds() { [[ $(<"data/$1") == "$2" ]]; }
+is_refused() { [[ $status == 1 ]] && diff -r data kept && says "$1"; }
+
+write then/law.h <<'E2'
+#pragma once
+namespace bake {
+struct Law {
+  virtual ~Law() = default;
+  virtual double stress(double strain) const = 0;
+};
+inline double twice(double a) { return 2.5 * a; }
+}
+E2
+write then/elastic.cpp <<'E2'
+#include "law.h"
+#include <cmath>
+#include <stdexcept>
+namespace bake {
+struct Elastic : Law {
+  double stress(double strain) const override {
+    if (strain < 0) throw std::runtime_error("strain below zero");
+    return std::sin(twice(strain));
+  }
+};
+Law* make_elastic() { return new Elastic; }
+}
+E2
+write then/plastic.cpp <<'E2'
+#include "law.h"
+#include <cmath>
+namespace bake {
+namespace {
+__attribute__((noinline)) double harden(double a, int kind) {
+  switch (kind) {
+    case 0: return std::exp(a);
+    case 1: return std::cos(a + 1);
+    case 2: return std::tan(a * 3);
+    case 3: return std::log(a);
+    case 4: return a;
+    default: return 0;
+  }
+}
+const char* const names[] = {"soft", "hard"};
+}
+const char* name_of(int i) { return names[i]; }
+double both(double a, int kind) { return harden(a, kind) + std::sqrt(twice(a)); }
+}
+E2
+compiled then
+
+# The same with other names, comments and places: one file instead of two, in another order.
+write moved/constitutive.h <<'E2'
+// What a law is.
+#pragma once
+namespace bake {
+struct Constitutive {
+  virtual ~Constitutive() = default;
+  virtual double stress_of(double strain) const = 0;
+};
+inline double doubled(double a) { return 2.5 * a; }
+}
+E2
+write moved/all.cpp <<'E2'
+#include "constitutive.h"
+#include <cmath>
+#include <stdexcept>
+namespace bake {
+namespace {
+const char* const labels[] = {"soft", "hard"};
+__attribute__((noinline)) double grow(double a, int kind) {
+  switch (kind) {
+    case 0: return std::exp(a);
+    case 1: return std::cos(a + 1);
+    case 2: return std::tan(a * 3);
+    case 3: return std::log(a);
+    case 4: return a;
+    default: return 0;
+  }
+}
+}
+double sum(double a, int kind) { return grow(a, kind) + std::sqrt(doubled(a)); }
+struct Linear : Constitutive {
+  double stress_of(double strain) const override {
+    if (strain < 0) throw std::runtime_error("strain below zero");
+    return std::sin(doubled(strain));
+  }
+};
+const char* label_of(int i) { return labels[i]; }
+Constitutive* make_linear() { return new Linear; }
+}
+E2
+compiled moved
+restamp moved
+expect "other names, comments and places are accepted" [ "$status" == 0 ]
+expect "lines of that solver are stamped, others are not" holds paper/accuracy/case.jsonl \
+  '{"by":{"solver":"'$now'"},"found":1}'$'\n''{"by":{"solver":"'$other'"},"found":2}'
+expect "a run is stamped, in its own form" holds results/bread/run.json $'{\n  "solver": "'$now$'"\n}'
+expect "what is no identity is left alone" holds results/tear/run.json '{"solver": "'$other'", "words": "'$was'"}'
+expect "measured times are stamped" holds experiments/table01_timings/measured/bread.json '{"solver": "'$now'"}'
+expect "a page is left alone" holds paper/page.md '"solver": "'$was'"'
+expect "what was stamped is told" says "3 files have the identity $now instead of $was"
+expect "no other file is left" [ "$(find data -type f | wc -l)" == 5 ]
+
+change() { # <what is changed> <file> <sed expression> <what is said of it>
+  rm -rf changed
+  cp -r then changed
+  sed -i "$3" "changed/$2"
+  ! cmp -s "changed/$2" "then/$2"
+  compiled changed
+  restamp changed
+  expect "$1 is refused" is_refused "$4"
+}
+change "another operation" plastic.cpp 's/a + 1/a - 1/' "changed: 1 functions, 0 constants"$'\n'"  bake::(anonymous namespace)::harden(double, int)"
+change "another factor" law.h 's/2.5/2.25/' "bake::both(double, int)"
+change "another function of the same kind" elastic.cpp 's/std::sin/std::cos/' "bake::Elastic::stress(double) const"
+change "another string" plastic.cpp 's/soft/sore/' "constant bake::(anonymous namespace)::names"
+change "another order of strings" plastic.cpp 's/"soft", "hard"/"hard", "soft"/' "changed: 0 functions, 1 constants"
+change "another exception" elastic.cpp 's/runtime_error/logic_error/' "bake::Elastic::stress(double) const"
+change "a function more" plastic.cpp '$s/}/double more(double a) { return a * 7; }\n}/' "only in the second: 1 functions, 0 constants"$'\n'"  bake::more(double)"
+change "a function less" plastic.cpp '/name_of/d' "only in the first: 1 functions"
+change "two laws for one" elastic.cpp 's/return new Elastic/return nullptr/' "bake::make_elastic()"
+
+restamp nowhere
+expect "a folder that is not there is wrong use" [ "$status" == 2 ]
+mkdir empty
+restamp empty
+expect "a folder without objects is wrong use" [ "$status" == 2 ]
+expect "and changes nothing" diff -r data kept
+output=$("$source_folder/solver/identity/restamp.sh" "$same_code" 2>&1) && status=0 || status=$?
+expect "no commit is wrong use" [ "$status" == 2 ]
+output=$("$source_folder/solver/identity/restamp.sh" "$same_code" no-such-commit 2>&1) && status=0 || status=$?
+expect "what is no commit is wrong use" [ "$status" == 2 ]
+
+echo "$failures failed"
+exit $((failures > 0))
