@@ -136,8 +136,9 @@ class Scanner {
   }
 
   std::string raw_string() {
-    const std::size_t open = rest_.find('(');
-    const std::string end = ")" + std::string(rest_.substr(1, open == rest_.npos ? 0 : open - 1)) + "\"";
+    std::string end(rest_.substr(0, rest_.find('(')));  // "delimiter, which becomes )delimiter"
+    end[0] = ')';
+    end += '"';
     const std::size_t size = std::min(rest_.size(), rest_.find(end) == rest_.npos ? rest_.npos : rest_.find(end) + end.size());
     std::string token(rest_.substr(0, size));
     rest_.remove_prefix(size);

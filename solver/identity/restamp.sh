@@ -24,30 +24,34 @@ step() { # <log> <command...>
   "${@:2}" >>"$1" 2>&1 || { tail -n 30 "$1" >&2; die 3 "building failed; the log is $1"; }
 }
 
-# Each file compiled by itself, each function in a section of its own: so it does not matter what stands beside it.
+# Each file compiled by itself, each function in a section of its own, and, by a build type of no flags, all rooms optimised alike: so it
+# does not matter what stands beside it, nor in which room.
 configure() { # <tree> <build>
   mkdir -p "$2"
   : >"$2/log"
   cd "$1"
   rm -f "$2/CMakeCache.txt"  # CMake cannot change the compiler in place
-  step "$2/log" cmake --preset reference -B "$2" -DCMAKE_CXX_FLAGS="-ffunction-sections -fdata-sections" \
-    -DBAKE_UNITY=OFF -DBAKE_TESTS=OFF -DBAKE_FIGURES=OFF
+  step "$2/log" cmake --preset reference -B "$2" -DCMAKE_BUILD_TYPE=Alike \
+    -DCMAKE_CXX_FLAGS="-O3 -w -DNDEBUG -ffunction-sections -fdata-sections" -DBAKE_UNITY=OFF -DBAKE_TESTS=OFF -DBAKE_FIGURES=OFF
   step "$2/log" ninja -C "$2" bake_commit
 }
 
 identity() { sed -n 's/^#define BAKE_SOLVER "\([0-9a-f]*\)"$/\1/p' "$1/generated/bake_commit.h"; }
 
-# What decides a run's numbers: the whole solver but the programs' command lines, the reader of scenes (each run is kept with the
-# scene that was read, and compared with it) and provenance.cpp, which only tells the identity.
+# What decides a run's numbers is the whole solver but the programs' command lines. The reader of scenes need not be equal, since each
+# run is kept with the scene that was read, and compared with it; nor need provenance.cpp, which only tells the identity.
 build() { # <build>
-  local -a objects
+  local -a objects beside
   mapfile -t objects < <(ninja -C "$1" -t targets all |
-    sed -n 's|^\(solver/CMakeFiles/.*\.cpp\.o\): .*|\1|p' | grep -Ev '\.dir/(__|cli|identity|program|scene)/|/io/provenance\.cpp\.o$')
+    sed -n 's|^\(solver/CMakeFiles/.*\.cpp\.o\): .*|\1|p' | grep -Ev '\.dir/(__|cli|identity|program)/')
+  mapfile -t beside < <(printf '%s\n' "${objects[@]}" | grep -E '\.dir/scene/|/io/provenance\.cpp\.o$')
   say "building ${#objects[@]} files of the solver; the log is $1/log"
   step "$1/log" ninja -C "$1" "${objects[@]}"
   rm -rf "$1/objects"
-  mkdir "$1/objects"
-  (cd "$1" && cp --parents -t objects "${objects[@]}")
+  mkdir -p "$1/objects/beside"
+  cd "$1"
+  cp --parents -t objects "${objects[@]}"
+  (cd objects && mv -t beside "${beside[@]}")
 }
 
 mkdir -p "$work"

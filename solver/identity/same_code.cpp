@@ -5,7 +5,10 @@
 // Each function and each constant stands in a section of its own (-ffunction-sections -fdata-sections). Its own content is its bytes,
 // and where they refer to something else. Two are equal if their own contents are and what they refer to is equal as well; this is
 // refined from own contents outwards until no more are told apart, so that functions which call each other are compared, too. Names
-// count for what neither folder defines (std::sin), but not in Bake itself: those are in rooms that were not asked about.
+// count only for what is defined nowhere here (std::sin).
+//
+// Objects in a subfolder `beside` need not be equal, and what calls them does not ask what they do; they are looked at to find what
+// merely moved from there or to there.
 //
 // Left out: names of types (_ZTS...), tables for unwinding, how often a function was compiled, and the order of everything.
 #include <cxxabi.h>
@@ -36,6 +39,7 @@ struct Part {
   };
   std::string name;
   bool is_code = false;
+  bool is_beside = false;
   std::string own;
   std::vector<Use> uses;
   std::size_t own_color = 0;
@@ -47,7 +51,7 @@ std::size_t hash(const std::string& text) { return std::hash<std::string>{}(text
 /// One object file as it lies in memory.
 class Object {
  public:
-  explicit Object(const std::filesystem::path& file) : name_(file.string()) {
+  Object(const std::filesystem::path& file, bool is_beside) : is_beside(is_beside), name_(file.string()) {
     std::ifstream in(file, std::ios::binary);
     bytes_.assign(std::istreambuf_iterator<char>(in), {});
     const auto& header = *at<Elf64_Ehdr>(0);
@@ -60,6 +64,8 @@ class Object {
       symbol_names_ = sections_.at(section.sh_link).sh_offset;
     }
   }
+
+  const bool is_beside;
 
   const std::vector<Elf64_Shdr>& sections() const { return sections_; }
   const std::vector<Elf64_Sym>& symbols() const { return symbols_; }
@@ -118,7 +124,8 @@ class Side {
   Side(const std::filesystem::path& folder, std::vector<Part>& all) : all_(all), first_(all.size()) {
     std::vector<Object> objects;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-      if (entry.path().extension() == ".o") objects.emplace_back(entry.path());
+      if (entry.path().extension() == ".o")
+        objects.emplace_back(entry.path(), *entry.path().lexically_relative(folder).begin() == "beside");
     }
     for (const Object& object : objects) define(object);
     for (std::size_t i = 0; i < objects.size(); ++i) connect(objects[i], places_[i]);
@@ -138,8 +145,11 @@ class Side {
       const bool is_code = (section.sh_flags & SHF_EXECINSTR) != 0;
       const bool names_a_type = name.find("._ZTS") != name.npos;
       place[i] = all_.size();
-      all_.push_back(
-          {name, is_code, std::to_string(section.sh_flags & ~SHF_GROUP) + (names_a_type ? "name" : object.content(section)), {}});
+      all_.push_back({name,
+                      is_code,
+                      object.is_beside,
+                      std::to_string(section.sh_flags & ~SHF_GROUP) + (names_a_type ? "name" : object.content(section)),
+                      {}});
     }
     for (const Elf64_Sym& symbol : object.symbols()) {
       if (!place.contains(symbol.st_shndx)) continue;
@@ -172,7 +182,7 @@ class Side {
       if (found != defined_.end()) {
         use.parts.assign(found->second.begin(), found->second.end());
       } else {
-        use.else_name = name.find("4bake") == name.npos ? "name " + name : "another room";
+        use.else_name = "name " + name;
       }
       return std::to_string(relocation.r_addend);
     }
@@ -196,15 +206,18 @@ class Side {
   std::map<std::string, std::set<std::size_t>> defined_;
 };
 
-/// Colors the parts so that two have the same color if and only if they are equal as described above.
+using Colors = std::set<std::size_t>;
+const std::size_t k_beside = hash("beside");
+
+/// Colors the parts so that two have the same color if and only if they are equal as described above; all that are beside are equal.
 void color(std::vector<Part>& parts) {
   for (Part& part : parts) {
     std::string own = part.own;
     for (const Part::Use& use : part.uses) own += use.else_name + '\0';
-    part.own_color = part.color = hash(own);
+    part.own_color = part.color = part.is_beside ? k_beside : hash(own);
   }
   for (std::size_t before = 0;;) {
-    std::set<std::size_t> different;
+    Colors different;
     for (const Part& part : parts) different.insert(part.color);
     if (different.size() == before) return;
     before = different.size();
@@ -212,12 +225,13 @@ void color(std::vector<Part>& parts) {
     for (const Part& part : parts) {
       std::string seen = std::to_string(part.own_color);
       for (const Part::Use& use : part.uses) {
-        std::set<std::size_t> colors;
+        Colors colors;
         for (const std::size_t other : use.parts) colors.insert(parts[other].color);
+        if (colors.size() > 1) colors.erase(k_beside);  // of a function that both rooms have compiled ours is compared
         for (const std::size_t other : colors) seen += ' ' + std::to_string(other);
         seen += ';';
       }
-      next.push_back(hash(seen));
+      next.push_back(part.is_beside ? part.own_color : hash(seen));
     }
     for (std::size_t i = 0; i < parts.size(); ++i) parts[i].color = next[i];
   }
@@ -225,14 +239,39 @@ void color(std::vector<Part>& parts) {
 
 using Names = std::map<std::string, bool>;  // true: of a function, false: of a constant
 
-/// The parts of one side that have no equal on the other; `itself`: only those whose own content is found nowhere there.
-Names missing(const std::vector<Part>& parts, const Side& here, const Side& there, bool itself) {
-  const auto color_of = [&](std::size_t i) { return itself ? parts[i].own_color : parts[i].color; };
-  std::set<std::size_t> known;
-  for (std::size_t i = there.first(); i < there.last(); ++i) known.insert(color_of(i));
+/// The colors, or the own colors, of one side's parts that are not beside.
+Colors colors_of(const std::vector<Part>& parts, const Side& side, std::size_t Part::*color) {
+  Colors colors;
+  for (std::size_t i = side.first(); i < side.last(); ++i) {
+    if (!parts[i].is_beside) colors.insert(parts[i].*color);
+  }
+  return colors;
+}
+
+/// Parts that are beside on one side and not on the other have moved; they are compared as all others.
+void find_moved(std::vector<Part>& parts, const Side& here, const Side& there) {
+  std::vector<Part> all = parts;
+  for (Part& part : all) part.is_beside = false;
+  color(all);
+  std::vector<std::size_t> moved;
+  for (const auto& [one, other] : {std::pair(&here, &there), std::pair(&there, &here)}) {
+    Colors known;
+    for (std::size_t i = other->first(); i < other->last(); ++i) {
+      if (!parts[i].is_beside) known.insert(all[i].color);
+    }
+    for (std::size_t i = one->first(); i < one->last(); ++i) {
+      if (parts[i].is_beside && known.contains(all[i].color)) moved.push_back(i);
+    }
+  }
+  for (const std::size_t i : moved) parts[i].is_beside = false;
+}
+
+/// The parts of one side that have no equal on the other.
+Names missing(const std::vector<Part>& parts, const Side& here, const Side& there, std::size_t Part::*color) {
+  const Colors known = colors_of(parts, there, color);
   Names names;
   for (std::size_t i = here.first(); i < here.last(); ++i) {
-    if (!known.contains(color_of(i))) names.emplace(parts[i].name, parts[i].is_code);
+    if (!parts[i].is_beside && !known.contains(parts[i].*color)) names.emplace(parts[i].name, parts[i].is_code);
   }
   return names;
 }
@@ -255,13 +294,14 @@ int compare(const char* one, const char* other) {
   for (const Side* side : {&here, &there}) {
     if (side->first() == side->last()) throw std::runtime_error(std::string(side == &here ? one : other) + ": found no object files");
   }
+  find_moved(parts, here, there);
   color(parts);
-  const auto all_here = missing(parts, here, there, false), all_there = missing(parts, there, here, false);
+  const auto all_here = missing(parts, here, there, &Part::color), all_there = missing(parts, there, here, &Part::color);
   if (all_here.empty() && all_there.empty()) {
     std::printf("the same machine code: %zu and %zu functions and constants\n", here.last() - here.first(), there.last() - there.first());
     return 0;
   }
-  auto itself_here = missing(parts, here, there, true), itself_there = missing(parts, there, here, true);
+  auto itself_here = missing(parts, here, there, &Part::own_color), itself_there = missing(parts, there, here, &Part::own_color);
   // none is new by itself: they refer to others of those that both have
   if (itself_here.empty() && itself_there.empty()) itself_here = all_here, itself_there = all_there;
   Names changed;

@@ -13,7 +13,7 @@ was=0123456789abcdef now=fedcba9876543210 other=1111111111111111
 write() { mkdir -p "$(dirname "$1")" && cat >"$1"; }
 compiled() { # <folder>: its sources become its objects
   local file
-  for file in "$1"/*.cpp; do "$compiler" -std=c++20 -O2 -ffunction-sections -fdata-sections -I"$1" -c "$file" -o "${file%.cpp}.o"; done
+  for file in "$1"/*.cpp "$1"/beside/*.cpp; do "$compiler" -std=c++20 -O2 -ffunction-sections -fdata-sections -I"$1" -c "$file" -o "${file%.cpp}.o"; done
 }
 keep() { # data of three solvers
   rm -rf data
@@ -49,6 +49,15 @@ struct Law {
   virtual double stress(double strain) const = 0;
 };
 inline double twice(double a) { return 2.5 * a; }
+double curve(double a);
+int read(const char* text);
+}
+E2
+write then/beside/reader.cpp <<'E2'
+#include "law.h"
+namespace bake {
+__attribute__((noipa)) double curve(double a) { return a * 4 + twice(a); }
+int read(const char* text) { return text[0] - 1; }
 }
 E2
 write then/elastic.cpp <<'E2'
@@ -84,11 +93,13 @@ const char* const names[] = {"soft", "hard"};
 }
 const char* name_of(int i) { return names[i]; }
 double both(double a, int kind) { return harden(a, kind) + std::sqrt(twice(a)); }
+double read_curve(const char* text) { return curve(read(text)); }
 }
 E2
 compiled then
 
-# The same with other names, comments and places: one file instead of two, in another order.
+# The same with other names, comments and places: one file instead of two, in another order; the curve is no longer in the room
+# beside, where another reader is.
 write moved/constitutive.h <<'E2'
 // What a law is.
 #pragma once
@@ -98,6 +109,13 @@ struct Constitutive {
   virtual double stress_of(double strain) const = 0;
 };
 inline double doubled(double a) { return 2.5 * a; }
+int parse(const char* text);
+}
+E2
+write moved/beside/parser.cpp <<'E2'
+#include "constitutive.h"
+namespace bake {
+int parse(const char* text) { return text[1] * 3; }
 }
 E2
 write moved/all.cpp <<'E2'
@@ -118,6 +136,7 @@ __attribute__((noinline)) double grow(double a, int kind) {
   }
 }
 }
+__attribute__((noipa)) double polygon(double a) { return a * 4 + doubled(a); }
 double sum(double a, int kind) { return grow(a, kind) + std::sqrt(doubled(a)); }
 struct Linear : Constitutive {
   double stress_of(double strain) const override {
@@ -125,6 +144,7 @@ struct Linear : Constitutive {
     return std::sin(doubled(strain));
   }
 };
+double polygon_of(const char* text) { return polygon(parse(text)); }
 const char* label_of(int i) { return labels[i]; }
 Constitutive* make_linear() { return new Linear; }
 }
@@ -140,6 +160,12 @@ expect "measured times are stamped" holds experiments/table01_timings/measured/b
 expect "a page is left alone" holds paper/page.md '"solver": "'$was'"'
 expect "what was stamped is told" says "3 files have the identity $now instead of $was"
 expect "no other file is left" [ "$(find data -type f | wc -l)" == 5 ]
+
+cp -r moved moved_badly
+sed -i 's/a \* 4/a * 5/' moved_badly/all.cpp
+compiled moved_badly
+restamp moved_badly
+expect "another operation in what has moved from beside is refused" is_refused "only in the second: 1 functions, 0 constants"$'\n'"  bake::polygon(double)"
 
 change() { # <what is changed> <file> <sed expression> <what is said of it>
   rm -rf changed
@@ -159,6 +185,7 @@ change "another exception" elastic.cpp 's/runtime_error/logic_error/' "bake::Ela
 change "a function more" plastic.cpp '$s/}/double more(double a) { return a * 7; }\n}/' "only in the second: 1 functions, 0 constants"$'\n'"  bake::more(double)"
 change "a function less" plastic.cpp '/name_of/d' "only in the first: 1 functions"
 change "two laws for one" elastic.cpp 's/return new Elastic/return nullptr/' "bake::make_elastic()"
+change "a call beside in place of another" plastic.cpp 's/curve(read(text))/curve(0)/' "bake::read_curve(char const*)"
 
 restamp nowhere
 expect "a folder that is not there is wrong use" [ "$status" == 2 ]
