@@ -113,7 +113,7 @@ bool is_part(const Object& object, const Elf64_Shdr& section) {
 
 std::string readable(const std::string& name) {
   char* text = abi::__cxa_demangle(name.c_str(), nullptr, nullptr, nullptr);
-  const std::string result = text != nullptr ? text : name;
+  std::string result = text != nullptr ? text : name;
   std::free(text);
   return result;
 }
