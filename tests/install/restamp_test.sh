@@ -193,10 +193,59 @@ mkdir empty
 restamp empty
 expect "a folder without objects is wrong use" [ "$status" == 2 ]
 expect "and changes nothing" diff -r data kept
-output=$("$source_folder/solver/identity/restamp.sh" "$same_code" 2>&1) && status=0 || status=$?
+
+# The whole command, on a small tree with git that builds its objects in the same places.
+mkdir -p tiny/solver/run tiny/solver/scene tiny/solver/io tiny/results/bread
+cp -r "$source_folder/solver/identity" tiny/solver/
+cp "$source_folder/CMakePresets.json" tiny/
+write tiny/CMakeLists.txt <<'E2'
+cmake_minimum_required(VERSION 3.22)
+project(tiny LANGUAGES CXX)
+add_subdirectory(solver)
+E2
+write tiny/solver/CMakeLists.txt <<'E2'
+file(STRINGS identity.txt identity)
+file(WRITE ${CMAKE_BINARY_DIR}/generated/bake_commit.h "#define BAKE_SOLVER \"${identity}\"\n")
+add_custom_target(bake_commit)
+file(GLOB sources */*.cpp)
+list(FILTER sources EXCLUDE REGEX identity)
+add_library(tiny STATIC ${sources})
+E2
+printf 'build\nresults\n' >tiny/.gitignore
+echo $was >tiny/solver/identity.txt
+echo 'double law(double a) { return a * 3; }' >tiny/solver/run/law.cpp
+echo 'int read() { return 1; }' >tiny/solver/scene/reader.cpp
+echo 'const char* made_by() { return "this"; }' >tiny/solver/io/provenance.cpp
+printf '{"solver": "%s"}\n' $was >tiny/results/bread/run.json
+git -C tiny init --quiet
+git -C tiny add .
+git -C tiny -c user.name=test -c user.email=test@localhost commit --quiet --message first
+whole() { # <arguments>: sets status and output
+  status=0
+  output=$(CXX=$compiler tiny/solver/identity/restamp.sh "$same_code" "$@" 2>&1) || status=$?
+}
+whole HEAD
+expect "the same identity needs nothing" says "nothing to do"
+echo $now >tiny/solver/identity.txt
+echo 'double constitutive_law(double strain) { return strain * 3; }  // of Hooke' >tiny/solver/run/hooke.cpp
+echo 'int read() { return 2; }' >tiny/solver/scene/reader.cpp
+echo 'const char* made_by() { return "that"; }' >tiny/solver/io/provenance.cpp
+rm tiny/solver/run/law.cpp
+sed -i 's/3/4/' tiny/solver/run/hooke.cpp
+whole HEAD
+expect "another operation since that commit is refused" [ "$status" == 1 ]
+expect "its function is named" says "constitutive_law(double)"
+expect "its runs keep their identity" grep -q $was tiny/results/bread/run.json
+sed -i 's/4/3/' tiny/solver/run/hooke.cpp
+whole HEAD
+expect "other names since that commit are accepted" [ "$status" == 0 ]
+expect "its runs have the present identity" grep -q $now tiny/results/bread/run.json
+expect "the work tree of that commit is gone" [ ! -e tiny/build/restamp/tree ]
+whole
 expect "no commit is wrong use" [ "$status" == 2 ]
-output=$("$source_folder/solver/identity/restamp.sh" "$same_code" no-such-commit 2>&1) && status=0 || status=$?
+whole no-such-commit
 expect "what is no commit is wrong use" [ "$status" == 2 ]
+expect "wrong use is told in one line" [ "$output" == "bake: restamp: found no-such-commit, allowed: a commit of this repository" ]
 
 echo "$failures failed"
 exit $((failures > 0))
