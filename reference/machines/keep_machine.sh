@@ -5,7 +5,7 @@
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
 (($# == 2)) || { echo "usage: keep_machine.sh <file of ./bake bench> <name>" >&2; exit 2; }
-python3 - "$1" "$root/reference/machines/$2.json" <<'END'
+python3 - "$1" "$root/machines/$2.json" <<'END'
 import json, sys
 
 with open(sys.argv[1]) as file:
