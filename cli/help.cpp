@@ -25,7 +25,8 @@ std::string version_line() {
 void add_help_commands(CLI::App& app, Action& action) {
   auto key = std::make_shared<std::string>();
   CLI::App& explain_command = *app.add_subcommand("explain", "Say what a scene key or a column of results means");
-  explain_command.add_option("key", *key, "a key, a table, an effect, a shape, or a column of the ledger or of frames; without it, an overview of all keys");
+  explain_command.add_option(
+      "key", *key, "a key, a table, an effect, a shape, or a column of the ledger or of frames; without it, an overview of all keys");
   explain_command.callback([key, &action] {
     action = [key] {
       const std::string column = key->empty() ? "" : explain_column(*key);

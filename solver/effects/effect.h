@@ -1,26 +1,29 @@
 // SPDX-License-Identifier: MIT
-// What every effect has unless it says otherwise, and how its hooks are called.
+// The defaults of every effect, and how its hooks are called.
 //
-// An effect is a struct that derives from `Effect`. It declares its numbers in lists, its equations in hooks: static functions of these
-// names, each called if the effect has one.
+// An effect is a struct that derives from `Effect`. It declares its numbers in lists and its equations in hooks: static functions with
+// the following names. A hook that an effect does not have is not called.
 //
 //   in a step, on lanes of W particles or nodes
-//     fill(p, lane, start)                  its stored fields of a new particle; `start`: volume, temperature, saturation, leavener,
-//     material gather(p, from, k, step, report)      G2P: from the nodes to the particle, whose state is advanced to t + dt stress(p, k)
-//     its part of the mixture's Kirchhoff stress, and its stiffness scatter(p, to, k, step, report)       P2G: what the particle gives to
-//     the nodes bounds(p, k, step, report)            what bounds the next step: maxima, named in `Bounds` update(node, k, step, budget)
-//     what happens at a node (in reverse order: water, then heat, then motion) totals(p, k, step, report)            sums and extremes for
-//     the ledger, when they are asked for conductance(p, k)                     kappa V, for backward Euler
+//     fill(p, lane, start)                its stored fields of a new particle; `start`: volume, temperature, saturation, leavener, material
+//     gather(p, from, k, step, report)    G2P: from the nodes to the particle, whose state advances to t + dt
+//     stress(p, k)                        its part of the mixture's Kirchhoff stress, and its stiffness
+//     scatter(p, to, k, step, report)     P2G: what the particle gives to the nodes
+//     bounds(p, k, step, report)          what bounds the next step: maxima, named in `Bounds`
+//     update(node, k, step, budget)       the update of a node (in reverse order: water, then heat, then motion)
+//     totals(p, k, step, report)          sums and extremes for the ledger, when it asks for them
+//     conductance(p, k)                   kappa V, for backward Euler
 //   once
-//     largest_step(most, at, limit)         the step that each of `Bounds` allows, and why
-//     describe(model, scene)                what the engine does for the effect (solver/engine/physics.h)
-//     show(frame)                           what a frame shows of its particles
-//     ledger(columns)                       columns of the ledger that are made of others
+//     largest_step(most, at, limit)       the step that each of `Bounds` allows, and the reason
+//     describe(model, scene)              what the engine does for the effect (solver/engine/physics.h)
+//     show(frame)                         what a frame shows of its particles
+//     ledger(columns)                     columns of the ledger that are computed from others
 //   of a scene
-//     check_settings(settings, complaint), check_material(scene, material, own, complaint)   refuses what makes no sense together
-//     idle(scene)                           why the effect can do nothing here though it is listed; "" if it can do something
-//     coefficient(own)                      key of a coefficient that is given, whether the effect is listed or not; "" without
-//     swells(own)                           can the material change its volume by this effect?
+//     check_settings(settings, complaint)                 refuses settings that make no sense together
+//     check_material(scene, material, own, complaint)     the same for a material
+//     idle(scene)                         why the effect can change nothing here although it is listed; "" if it can
+//     coefficient(own)                    the key of a coefficient that is given, whether the effect is listed or not; "" if none is
+//     swells(own)                         whether the material can change its volume by this effect
 //
 // `p` is W particles: p[field::theta] is a pack of lanes, or an array of them. `k` is the effect's own `Constants` of a material (in
 // `update` its `NodeConstants`). An effect reads others' fields (`if constexpr (P::template has<field::Temperature>)`) and never calls
