@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "reference/compare/side_by_side.h"
 #include "solver/program/scene_files.h"
+#include "solver/run/check_scene.h"
 
 namespace bake::cli {
 namespace {
@@ -38,6 +39,7 @@ void refuse_large_grid(const Scene& scene) {
 
 int compare(const CompareArguments& arguments) {
   const Scene scene = read(arguments);
+  check_scene(scene);
   refuse_large_grid(scene);
   SideBySide both(scene);
   while (both.solver().counters().steps < arguments.steps && both.step()) {
@@ -63,9 +65,7 @@ void add_compare_textbook_command(CLI::App& app, Action& action) {
   command.add_option("scene", arguments->scene, "name (see `bake list`) or path of a .toml file")->required();
   command.add_option("--steps", arguments->steps, "steps to take [100]")->type_name("N")->check(CLI::Range(1, 1'000'000'000));
   add_quality_option(command, arguments->quality);
-  command.add_option("--set", arguments->overrides, "override any scene key (see `bake explain`); can be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+  add_set_option(command, arguments->overrides);
   command.callback([arguments, &action] { action = [arguments] { return compare(*arguments); }; });
 }
 

@@ -10,6 +10,7 @@
 #include "experiments/accuracy/expected.h"
 #include "experiments/make/make_figure.h"
 #include "solver/program/scene_files.h"
+#include "solver/run/check_scene.h"
 #include "solver/run/run.h"
 
 namespace bake::cli {
@@ -17,7 +18,8 @@ namespace {
 
 struct SceneArguments {
   std::string scene;
-  Quality quality = Quality::draft;
+  ReadOptions options{Quality::draft, {}};
+  int threads = 0;
 };
 
 std::string title_or_error(const SceneFile& scene) {
@@ -68,15 +70,16 @@ int list_cases() {
 }
 
 int info(const SceneArguments& arguments) {
-  const Scene scene = open_scene(arguments.scene, {arguments.quality, {}});
-  fmt::print("{}\n", describe_scene(scene));
+  const Scene scene = open_scene(arguments.scene, arguments.options);
+  fmt::print("{}\n", describe_scene(scene, arguments.threads));
   for (const std::string& line : studies::accuracy::expected_of(scene, BAKE_SOURCE_DIR "/paper/accuracy.json"))
     fmt::print("  measured     {}\n", line);
   return k_success;
 }
 
 int validate(const SceneArguments& arguments) {
-  const Scene scene = open_scene(arguments.scene);
+  const Scene scene = open_scene(arguments.scene, arguments.options);
+  check_scene(scene);
   fmt::print("{}: valid\n", scene.file.string());
   return k_success;
 }
@@ -93,14 +96,16 @@ void add_scene_commands(CLI::App& app, Action& action) {
   });
 
   auto arguments = std::make_shared<SceneArguments>();
-  CLI::App& info_command = *app.add_subcommand("info", "Say what a run of a scene would be: size, steps, memory");
-  info_command.add_option("scene", arguments->scene, "name or path of a .toml file")->required();
-  add_quality_option(info_command, arguments->quality);
-  info_command.callback([arguments, &action] { action = [arguments] { return info(*arguments); }; });
-
-  CLI::App& validate_command = *app.add_subcommand("validate", "Check a scene file without running it");
-  validate_command.add_option("scene", arguments->scene, "name or path of a .toml file")->required();
-  validate_command.callback([arguments, &action] { action = [arguments] { return validate(*arguments); }; });
+  const auto add_command = [&](const char* name, const char* meaning, int (*act)(const SceneArguments&)) -> CLI::App& {
+    CLI::App& command = *app.add_subcommand(name, meaning);
+    command.add_option("scene", arguments->scene, "name or path of a .toml file")->required();
+    add_quality_option(command, arguments->options.quality);
+    add_set_option(command, arguments->options.overrides);
+    command.callback([arguments, act, &action] { action = [arguments, act] { return act(*arguments); }; });
+    return command;
+  };
+  add_threads_option(add_command("info", "Say what a run of a scene would be: size, steps, memory", info), arguments->threads);
+  add_command("validate", "Check a scene without running it: is there anything for which a run would refuse it?", validate);
 }
 
 }  // namespace bake::cli

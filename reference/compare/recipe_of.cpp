@@ -1,12 +1,32 @@
 // SPDX-License-Identifier: MIT
 #include "reference/compare/recipe_of.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "solver/boundary/scripted.h"
 #include "solver/effects/all_effects.h"
 
 namespace bake {
 
 namespace {
+
+template <class... Structs>
+constexpr std::size_t k_keys = (0 + ... + std::tuple_size_v<decltype(Structs::parameters())>);
+static_assert(
+    k_keys<DomainSettings, GridSettings, SurfaceSettings, Oven, Material, Body, Collider, Grip, Emitter> == 58 &&
+        k_keys<Motion::Settings, Heat::Settings, Water::Settings, Elasticity::Settings, Plasticity::Settings, Leavening::Settings> == 17 &&
+        k_keys<Heat::Material, Water::Material, Elasticity::Material, Plasticity::Material, Leavening::Material> == 16,
+    "scenes have another number of keys: hand the new one to the textbook or refuse it here, so that it is not left out silently");
+
+void refuse_unknown_effects(const Scene& scene) {
+  const std::vector<std::string> known{Motion::name, Heat::name, Water::name, Elasticity::name, Plasticity::name, Leavening::name};
+  for (const std::string& effect : scene.effects)
+    if (std::find(known.begin(), known.end(), effect) == known.end())
+      throw InputError(
+          fmt::format("{}: effects: found {}, allowed: what the textbook knows: {}", scene.file.string(), effect, fmt::join(known, ", ")));
+}
 
 textbook::Vector plain(const Vector3& v) { return {{v[0], v[1], v[2]}}; }
 Vector3 packed(const textbook::Vector& v) { return {v[0], v[1], v[2]}; }
@@ -76,6 +96,7 @@ bool present(const Thing& thing, double time_s) {
 }  // namespace
 
 textbook::Recipe recipe_of(const Scene& scene) {
+  refuse_unknown_effects(scene);
   textbook::Recipe r;
   r.motion = scene.lists(Motion::name);
   r.heat = scene.lists(Heat::name);

@@ -8,6 +8,7 @@
 
 namespace bake {
 
+/// Throws InputError if the scene lists an effect that the textbook does not know.
 textbook::Recipe recipe_of(const Scene& scene);
 /// The air, colliders and grips at one time.
 textbook::Surroundings surroundings_of(const Scene& scene, double time_s);

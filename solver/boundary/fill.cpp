@@ -12,9 +12,10 @@ namespace {
 /// Random numbers that are the same everywhere: splitmix64. [Steele, Lea, Flood 2014]
 class Random {
  public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
+  /// `skipped`: how many of the seed's numbers are left out.
+  explicit Random(std::uint64_t seed, std::uint64_t skipped = 0) : state_(seed + skipped * k_stride) {}
   std::uint64_t bits() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
+    std::uint64_t z = (state_ += k_stride);
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
     return z ^ (z >> 31);
@@ -26,18 +27,24 @@ class Random {
   }
 
  private:
+  static constexpr std::uint64_t k_stride = 0x9e3779b97f4a7c15u;
   std::uint64_t state_;
 };
 
 using Count3 = std::array<std::int64_t, 3>;
 
+double places_in(const Box3& box, double spacing_m) {
+  double places = 1;
+  for (int i = 0; i < 3; ++i) places *= (box.high[i] - box.low[i]) / spacing_m + 1;
+  return places;
+}
+
 Box3 finite_bounds(const Shape& shape, double spacing_m) {
   if (!(spacing_m > 0) || !std::isfinite(spacing_m)) throw std::invalid_argument("the spacing of a filling must be a number above 0");
   const Box3 box = shape.bounds();
-  double cells = 1;
-  for (int i = 0; i < 3; ++i) cells *= (box.high[i] - box.low[i]) / spacing_m + 1;
+  const double cells = places_in(box, spacing_m);
   if (!std::isfinite(cells)) throw std::invalid_argument("a shape without end cannot be filled");
-  if (cells > 1e10) throw std::invalid_argument("the spacing of a filling is too small for its shape (more than 10^10 cells)");
+  if (cells > k_most_places) throw std::invalid_argument("the spacing of a filling is too small for its shape (more than 10^10 cells)");
   return box;
 }
 
@@ -143,7 +150,8 @@ class PoissonSampler {
 
 }  // namespace
 
-std::vector<Point> fill_lattice(const Shape& shape, double spacing_m, double jitter, std::uint64_t seed) {
+void visit_lattice(const Shape& shape, double spacing_m, double jitter, std::uint64_t seed, const std::function<bool(const Point&)>& wanted,
+                   const std::function<void(const Point&)>& found) {
   const Box3 box = finite_bounds(shape, spacing_m);
   Count3 count;
   Point first;
@@ -152,23 +160,38 @@ std::vector<Point> fill_lattice(const Shape& shape, double spacing_m, double jit
     count[i] = std::max<std::int64_t>(1, std::llround((box.high[i] - box.low[i]) / spacing_m)) + 2;
     first[i] = 0.5 * (box.low[i] + box.high[i]) - 0.5 * static_cast<double>(count[i] - 1) * spacing_m;
   }
-  Random random(seed);
-  std::vector<Point> inside;
+  std::uint64_t drawn = 0;  // three numbers for every place, wanted or not
   for (std::int64_t i = 0; i < count[0]; ++i) {
     for (std::int64_t j = 0; j < count[1]; ++j) {
-      for (std::int64_t k = 0; k < count[2]; ++k) {
-        const Point centre = first + spacing_m * Vector3{double(i), double(j), double(k)};
-        const Point x = centre + 0.5 * jitter * spacing_m * random.in_cube();
-        if (shape.distance(x) <= 0) inside.push_back(x);
+      for (std::int64_t k = 0; k < count[2]; ++k, drawn += 3) {
+        const Point place = first + spacing_m * Vector3{double(i), double(j), double(k)};
+        if (!wanted(place)) continue;
+        const Point x = place + 0.5 * jitter * spacing_m * Random(seed, drawn).in_cube();
+        if (shape.distance(x) <= 0) found(x);
       }
     }
   }
+}
+
+std::vector<Point> fill_lattice(const Shape& shape, double spacing_m, double jitter, std::uint64_t seed) {
+  std::vector<Point> inside;
+  visit_lattice(
+      shape, spacing_m, jitter, seed, [](const Point&) { return true; }, [&](const Point& x) { inside.push_back(x); });
   return inside;
 }
 
 std::vector<Point> fill_poisson(const Shape& shape, double spacing_m, std::uint64_t seed) {
   const Box3 box = finite_bounds(shape, spacing_m);
   return PoissonSampler(shape, box, k_poisson_radius * spacing_m, seed).fill();
+}
+
+FillingSize estimate_filling(const Shape& shape, double spacing_m) {
+  constexpr double k_samples = 1e5;
+  const Box3 box = shape.bounds();
+  double coarse = spacing_m;
+  while (places_in(box, coarse) > k_samples) coarse *= 2;
+  const double ratio = coarse / spacing_m, sampled = static_cast<double>(fill_lattice(shape, coarse, 1, 0).size());
+  return {sampled > 0 ? sampled * ratio * ratio * ratio : 0, places_in(box, spacing_m)};
 }
 
 }  // namespace bake

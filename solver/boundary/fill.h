@@ -3,11 +3,12 @@
 //
 // The points depend on shape, spacing and seed alone. They are sorted by position (x slowest, z fastest), and their random numbers
 // are the same on every platform.
-// Both throw std::invalid_argument if the spacing is not positive and finite, if the shape's bounds are infinite, or if
-// the spacing is so small that the bounds would hold more than 10^10 cells.
+// All throw std::invalid_argument if the spacing is not positive and finite, if the shape's bounds are infinite, or if
+// the spacing is so small that the bounds would hold more than k_most_places cells.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "solver/boundary/shape.h"
@@ -18,6 +19,11 @@ namespace bake {
 /// each axis (jitter 0..1; 1: anywhere in its own cube), that end up inside.
 std::vector<Point> fill_lattice(const Shape& shape, double spacing_m, double jitter, std::uint64_t seed);
 
+/// Calls found(x) for the same points one by one, but only for those whose place in the lattice is wanted(place). A point lies within
+/// jitter * spacing_m / 2 of its place along each axis.
+void visit_lattice(const Shape& shape, double spacing_m, double jitter, std::uint64_t seed, const std::function<bool(const Point&)>& wanted,
+                   const std::function<void(const Point&)>& found);
+
 /// Random points, no two of them closer than k_poisson_radius * spacing_m, packed so densely that hardly another one fits in. Interior
 /// and rim are equally dense.
 std::vector<Point> fill_poisson(const Shape& shape, double spacing_m, std::uint64_t seed);
@@ -25,5 +31,15 @@ std::vector<Point> fill_poisson(const Shape& shape, double spacing_m, std::uint6
 /// Smallest distance of Poisson points, in spacings: the one at which the dense packing has one point per spacing^3
 /// (measured on fillings of 10^6 points).
 inline constexpr double k_poisson_radius = 0.8358;
+
+/// Most cells of spacing_m that the bounds of a shape may hold.
+inline constexpr double k_most_places = 1e10;
+
+/// How large a filling will be.
+struct FillingSize {
+  double points;  ///< estimated from the shape at about 10^5 places, so within some percent of what fills much of its bounds
+  double places;  ///< cells of spacing_m in the shape's bounds
+};
+FillingSize estimate_filling(const Shape& shape, double spacing_m);
 
 }  // namespace bake

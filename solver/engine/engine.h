@@ -30,8 +30,7 @@ class Engine {
  public:
   explicit Engine(const Scene& scene);
 
-  /// Adds particles between passes, with consecutive identities; those that are poured are booked. Throws InputError if one is
-  /// outside the domain.
+  /// Adds particles, all of them in the domain, between passes, with consecutive identities; those that are poured are booked.
   void add(const std::vector<NewParticle>& particles, bool poured = false);
   /// A first pass without time, which finds fluxes, limits and totals, and scatters for the first step. Once, after the first
   /// add; not after read().

@@ -26,9 +26,6 @@ void Engine<Real>::add(const std::vector<NewParticle>& particles, bool poured) {
     Real x[3];
     for (int d = 0; d < 3; ++d) {
       const double nodes = geometry_.in_nodes(p.x[static_cast<std::size_t>(d)], d);
-      if (!(nodes >= geometry_.low_face() && nodes <= geometry_.high_face(d)))
-        throw InputError(scene_.file.string() + ": domain: a particle at (" + std::to_string(p.x[0]) + ", " + std::to_string(p.x[1]) +
-                         ", " + std::to_string(p.x[2]) + ") m lies outside the domain, allowed: bodies and emitters inside it");
       *at[d] = static_cast<int>(nodes - 0.5) >> 2;
       x[d] = static_cast<Real>(nodes - 4 * *at[d]);
     }

@@ -63,6 +63,12 @@ class GridGeometry {
   Point origin(const BlockIndex& b) const { return {origin_[0] + 4 * b.x * dx_, origin_[1] + 4 * b.y * dx_, origin_[2] + 4 * b.z * dx_}; }
   /// Position in node distances from the grid's first node.
   double in_nodes(double x, int axis) const { return (x - origin_[axis]) / dx_; }
+  /// Is the point in the domain, its faces included?
+  bool holds(const Point& x) const {
+    for (int d = 0; d < 3; ++d)
+      if (const double nodes = in_nodes(x[d], d); !(nodes >= low_face() && nodes <= high_face(d))) return false;
+    return true;
+  }
   /// The domain's faces, in node distances from the grid's first node.
   double low_face() const { return k_margin; }
   double high_face(int axis) const { return k_margin + cells_[axis]; }

@@ -61,14 +61,14 @@ std::string hdf5_version() {
 
 std::string fmt_version() { return fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100); }
 
-std::int64_t memory_bytes() { return std::int64_t{sysconf(_SC_PHYS_PAGES)} * sysconf(_SC_PAGESIZE); }
-
 nlohmann::json dirty() {
   const std::string state = BAKE_SOURCES;
   return state == "unknown" ? nlohmann::json(nullptr) : nlohmann::json(state == "dirty");
 }
 
 }  // namespace
+
+std::int64_t memory_bytes() { return std::int64_t{sysconf(_SC_PHYS_PAGES)} * sysconf(_SC_PAGESIZE); }
 
 nlohmann::json provenance() {
   return {

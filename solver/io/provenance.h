@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 
 namespace bake {
@@ -11,5 +12,8 @@ namespace bake {
 /// machine: cpu, logical_cores, memory_bytes, os; date (UTC, ISO 8601). The name of the machine is left out on purpose.
 /// `commit` is "unknown" for sources without git; `dirty` speaks of the program's own sources only.
 nlohmann::json provenance();
+
+/// Memory of this machine [bytes].
+std::int64_t memory_bytes();
 
 }  // namespace bake

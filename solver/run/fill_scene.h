@@ -2,6 +2,8 @@
 // Makes particles of bodies and emitters.
 #pragma once
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "solver/engine/engine_types.h"
@@ -9,12 +11,29 @@
 
 namespace bake {
 
-/// Particles of all bodies at the start. `scene` must outlive them.
+/// A shape that is to be filled with particles: a body's or an emitter's.
+struct ShapeToFill {
+  std::string name;  ///< for messages: "body.0", "emitter.jug"
+  ShapePtr shape;
+  Filling filling;
+  double spacing;  ///< [m]
+  double jitter;
+  std::uint64_t seed;
+};
+std::vector<ShapeToFill> shapes_to_fill(const Scene& scene);
+
+/// Particles of all bodies at the start. `scene` must outlive them. Throws InputError if a body has no particle, has one outside the
+/// domain, or its file cannot be read.
 std::vector<NewParticle> fill_bodies(const Scene& scene);
+
+/// Throws what fill_bodies or EmitterState would throw, but takes less time and memory: it looks for one particle of each shape, and at
+/// those near the domain's faces.
+void check_filling(const Scene& scene);
 
 /// The state of an emitter. It pours its shape filled with particles, again each time the last filling has moved away by its own length.
 class EmitterState {
  public:
+  /// Throws InputError as fill_bodies.
   EmitterState(const Scene& scene, const Emitter& emitter, std::size_t number);
   /// Time of the next pouring; infinity if there is none.
   double next_time() const;

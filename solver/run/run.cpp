@@ -17,6 +17,7 @@
 #include "solver/io/progress.h"
 #include "solver/io/provenance.h"
 #include "solver/io/scratch_folder.h"
+#include "solver/run/check_scene.h"
 #include "solver/run/ledger.h"
 #include "solver/run/simulation.h"
 #include "solver/scene/describe.h"
@@ -276,30 +277,41 @@ Costs try_out(Simulation& simulation, double end) {
 
 }  // namespace
 
-std::string describe_scene(const Scene& scene) {
+std::string describe_scene(const Scene& scene, int threads) {
+  if (threads > 0) omp_set_num_threads(threads);
+  check_scene(scene);
   std::string effects;
   for (const std::string& e : scene.effects) effects += (effects.empty() ? "" : ", ") + e;
   std::string text = fmt::format("{}\n  effects      {}\n  precision    {}\n",
                                  scene.title.empty() ? scene.file.stem().string() : scene.title, effects, word_of(scene.run.precision));
-  Costs costs;
+  std::optional<Costs> costs;
+  std::string tried;
   for (const Quality quality : {Quality::draft, Quality::standard, Quality::paper}) {
     Scene at = scene;
     at.quality = quality;
-    const auto simulation = Simulation::begin(at);
+    std::unique_ptr<Simulation> simulation;
+    try {
+      simulation = Simulation::begin(at);
+    } catch (const InputError& error) {
+      text += fmt::format("  {:<12} cannot be run: {}\n", word_of(quality), error.what());
+      continue;
+    }
     const auto n = static_cast<double>(simulation->particles());
-    if (quality == Quality::draft) {
+    if (!costs) {
       text += fmt::format("  memory       {}\n", simulation->memory_words());
       costs = try_out(*simulation, scene.run.end_s);
+      tried = word_of(quality);
     }
     const double steps = simulation->dt() > 0 ? std::ceil(scene.run.end_s / simulation->dt()) : 0;
     const double frames = scene.run.end_s * scene.run.frame_rate_per_s;
     text += fmt::format("  {:<12} dx {:.4g} m, {:.0f} particles, {:.0f} MB ({:.0f} bytes per particle), about {:.0f} steps, {}\n",
                         word_of(quality), at.dx(), n, static_cast<double>(simulation->bytes()) / 1e6,
                         n > 0 ? static_cast<double>(simulation->bytes()) / n : 0, steps,
-                        n > 0 ? clock_text(n * (steps * costs.step + frames * costs.frame)) : "no time at all");
+                        n > 0 ? clock_text(n * (steps * costs->step + frames * costs->frame)) : "no time at all");
   }
   for (const std::string& warning : warnings_about(scene)) text += fmt::format("  warning      {}\n", warning);
-  return text + "  (steps from the first step's length; time from a trial of 20 steps and a frame at draft on this machine)";
+  return text +
+         fmt::format("  (steps from the first step's length; time from a trial of 20 steps and a frame at {} on this machine)", tried);
 }
 
 }  // namespace bake

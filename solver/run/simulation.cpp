@@ -8,6 +8,7 @@
 #include "solver/core/vector3.h"
 #include "solver/effects/fields.h"
 #include "solver/engine/engine.h"
+#include "solver/run/check_scene.h"
 #include "solver/run/fill_scene.h"
 #include "solver/scene/scene.h"
 
@@ -227,6 +228,7 @@ std::unique_ptr<Simulation> make(const Scene& scene, const CheckpointReader* che
 }  // namespace
 
 std::unique_ptr<Simulation> Simulation::begin(const Scene& scene) {
+  check_size(scene);
   return scene.run.precision == Precision::single_precision ? make<float>(scene, nullptr) : make<double>(scene, nullptr);
 }
 

@@ -38,7 +38,7 @@ void check_span(const SceneEntry& entry, const T& value) {
 void check_bounded(const SceneEntry& entry, const Shape& shape) {
   const Box3 box = shape.bounds();
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (std::isfinite(box.low[axis]) && std::isfinite(box.high[axis])) continue;
+    if (std::isfinite(box.high[axis] - box.low[axis])) continue;
     Complaint(entry).at("shape", "found a shape without end, allowed: a bounded one (cut it with an intersection)");
   }
 }
@@ -54,10 +54,14 @@ void Complaint::unless_rising(std::string_view key, const std::vector<double>& n
   }
 }
 
-void check(const SceneEntry& entry, const DomainSettings& value, const Scene&) {
+void check(const SceneEntry& entry, const DomainSettings& value, const Scene& scene) {
+  constexpr double k_most_cells = 1e9;  // nodes are counted by int
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (value.max_m[axis] > value.min_m[axis]) continue;
-    Complaint(entry).at("max_m", "found {} = {}, allowed: a number above {} (min_m)", "xyz"[axis], value.max_m[axis], value.min_m[axis]);
+    const char name = "xyz"[axis];
+    if (!(value.max_m[axis] > value.min_m[axis]))
+      Complaint(entry).at("max_m", "found {} = {}, allowed: a number above {} (min_m)", name, value.max_m[axis], value.min_m[axis]);
+    const double cells = (value.max_m[axis] - value.min_m[axis]) / scene.grid.dx_m;
+    if (cells > k_most_cells) Complaint(entry).at("max_m", "found {:.3g} cells along {}, allowed: up to {:g}", cells, name, k_most_cells);
   }
 }
 

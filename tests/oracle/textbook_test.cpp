@@ -2,11 +2,29 @@
 // What only the textbook has: gradients as the derivative of the weights, as in the paper.
 #include <gtest/gtest.h>
 
+#include "reference/compare/recipe_of.h"
 #include "reference/textbook/baker.h"
+#include "solver/effects/all_effects.h"
 
 namespace bake::textbook {
 
 namespace {
+
+TEST(RecipeOf, AnEffectThatTheTextbookDoesNotKnowIsRefused) {
+  Scene scene;
+  scene.file = "dough.toml";
+  scene.grid.dx_m = 0.1;
+  scene.effects = effect_names();
+  EXPECT_NO_THROW(recipe_of(scene));
+  scene.effects.push_back("yeast");
+  try {
+    recipe_of(scene);
+    ADD_FAILURE() << "compared without yeast";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "dough.toml: effects: found yeast, allowed: what the textbook knows: motion, heat, water, elasticity, plasticity, leavening");
+  }
+}
 
 constexpr Kernel k_kernels[] = {Kernel::quadratic, Kernel::cubic};
 constexpr Gradient k_gradients[] = {Gradient::moments, Gradient::spline};

@@ -58,6 +58,31 @@ TEST(FillLattice, DisplacesEachPointWithinItsShareOfTheCube) {
 
 TEST(FillLattice, KeepsASheetThinnerThanTheSpacing) { EXPECT_EQ(fill_lattice(*make_box({0, 0, 0}, {1, 1, 0.01}), 0.5, 0, 0).size(), 16u); }
 
+TEST(VisitLattice, FindsTheSamePointsAtThePlacesThatAreWanted) {
+  const ShapePtr ball = make_sphere({0, 0, 0}, 1);
+  std::vector<Point> found, expected;
+  visit_lattice(
+      *ball, 0.13, 0, 5, [](const Point& place) { return place[1] > 0.3; }, [&](const Point& x) { found.push_back(x); });
+  for (const Point& x : fill_lattice(*ball, 0.13, 0, 5))
+    if (x[1] > 0.3) expected.push_back(x);
+  EXPECT_EQ(found, expected);
+  // displaced at random, each place by its own numbers
+  const std::vector<Point> all = fill_lattice(*ball, 0.13, 0.7, 5);
+  found.clear();
+  visit_lattice(
+      *ball, 0.13, 0.7, 5, [](const Point& place) { return place[1] > 0.3; }, [&](const Point& x) { found.push_back(x); });
+  ASSERT_GT(found.size(), 100u);
+  for (const Point& x : found) EXPECT_NE(std::find(all.begin(), all.end(), x), all.end());
+}
+
+TEST(EstimateFilling, KnowsAboutHowManyPointsThereWillBe) {
+  for (const Sample& sample : exact_shapes()) {
+    const FillingSize size = estimate_filling(*sample.shape, std::cbrt(sample.volume / 1e12));
+    EXPECT_NEAR(size.points / 1e12, 1, 0.03) << sample.name;
+    EXPECT_GT(size.places, size.points) << sample.name;
+  }
+}
+
 TEST(FillPoisson, CountsTheVolumeOfEveryShape) {
   for (const Sample& sample : exact_shapes()) {
     const double spacing = std::cbrt(sample.volume / 4000);

@@ -101,6 +101,13 @@ TEST(SceneError, DomainMustHaveVolume) {
             "bread.toml:7: domain.max_m: found y = 0, allowed: a number above 0 (min_m)");
 }
 
+TEST(SceneError, DomainMustHaveCellsThatCanBeCounted) {
+  EXPECT_EQ(error_of(replaced(k_least, "[1, 1, 1]", "[1, 1e10, 1]")),
+            "bread.toml:7: domain.max_m: found 1e+12 cells along y, allowed: up to 1e+09");
+  EXPECT_NE(error_of(replaced(replaced(k_least, "[0, 0, 0]", "[0, 0, -1e308]"), "[1, 1, 1]", "[1, 1, 1e308]")).find("cells along z"),
+            std::string::npos);
+}
+
 TEST(SceneError, StepBoundsMustNotCross) {
   EXPECT_EQ(error_of(k_least + "[time]\nlargest_step_s = 1e-3\nsmallest_step_s = 1\n"),
             "bread.toml:11: time.smallest_step_s: found 1, allowed: at most largest_step_s = 0.001");
@@ -144,6 +151,14 @@ TEST(SceneError, BodyIsEitherAShapeOrAFile) {
 TEST(SceneError, BodyMustEndSomewhere) {
   EXPECT_EQ(error_of(k_least + k_dough + "[[body]]\nmaterial = \"dough\"\nshape = { half_space = {} }\n"),
             "bread.toml:14: body.0.shape: found a shape without end, allowed: a bounded one (cut it with an intersection)");
+  const std::string body = k_least + k_dough + "[[body]]\nmaterial = \"dough\"\nshape = ";
+  for (const std::string& shape :
+       {"{ union = [{ half_space = {} }, { sphere = { radius_m = 1 } }] }",
+        "{ difference = [{ half_space = {} }, { sphere = { radius_m = 1 } }] }",
+        "{ intersection = [{ half_space = {} }, { half_space = { normal = [0, 0, -1] } }] }",
+        "{ box = { half_extents_m = [1, 1e308, 1] } }", "{ sphere = { radius_m = 1 }, rotate_deg = [1e300, 0, 0] }",
+        "{ sphere = { radius_m = 1e200 }, scale = 1e200 }"})
+    EXPECT_NE(error_of(body + shape + "\n").find("body.0.shape: found a shape without end"), std::string::npos) << shape;
 }
 
 TEST(SceneError, KeyframesMustRiseInTime) {
