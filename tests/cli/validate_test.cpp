@@ -33,9 +33,9 @@ void expect_refused(const std::string& options, const std::string& reason, const
 
 TEST(Validate, RefusesEffectsThatNoModelHas) {
   expect_refused(set("effects=[\"motion\"]"), "dough.toml: effects: found motion, allowed: heat, ");
-  expect_refused(
-      set("effects=[\"motion\", \"elasticity\", \"heat\"]") + set("motion.transfer=flip") + set("material.dough.specific_heat_J_per_kgK=1"),
-      "with transfer = \"flip\", allowed: heat, ");
+  expect_refused(set("effects=[\"motion\", \"elasticity\", \"heat\"]") + set("motion.transfer=flip") +
+                     set("material.dough.specific_heat_J_per_kgK=1") + set("material.dough.conductivity_W_per_mK=1"),
+                 "with transfer = \"flip\", allowed: heat, ");
 }
 
 TEST(Validate, RefusesABodyWithoutParticles) {
@@ -63,7 +63,12 @@ TEST(Validate, RefusesAnEmitterForTheSameReasons) {
 }
 
 TEST(Validate, RefusesAFileOfParticlesThatCannotBeUsed) {
-  expect_refused(set("body.0={material=\"dough\", particles_file=\"grains.h5\"}"), "grains.h5");
+  expect_refused(set("body.0={material=\"dough\", particles_file=\"grains.h5\"}"), "grains.h5: cannot open");
+  const std::string ring = BAKE_SOURCE_DIR "/experiments/features/ring.h5";
+  const std::string from_file = set("body.0={material=\"dough\", particles_file=\"" + ring + "\"}");
+  expect_refused(from_file, "ring.h5: material: found 1, allowed: 0 to 0");
+  const std::string stuff = "\", density_kg_per_m3=1000, young_modulus_Pa=1e4}";
+  expect_refused(from_file + set("material=[{name=\"dough" + stuff + ", {name=\"other" + stuff + "]"), "body.0: found a particle at (-");
 }
 
 TEST(Validate, RefusesWhatDoesNotFitIntoMemory) {
@@ -71,7 +76,7 @@ TEST(Validate, RefusesWhatDoesNotFitIntoMemory) {
   expect_refused(set("grid.dx_m=2e-4"), "body.0: found about ", "ulimit -v 1000000;");
   expect_refused(set("grid.dx_m=1e-7"), "dough.toml: domain: found about ");
   expect_refused(set("domain.max_m=[1e4,1e4,1e4]") + set("body.0.shape={sphere={centre_m=[5e3,5e3,5e3],radius_m=4e3}}"), "domain: found");
-  expect_refused(set("body.0.shape={sphere={centre_m=[0.1,0.1,0.1],radius_m=1e9}}"), "body.0: found about 7.");
+  expect_refused(set("body.0.shape={sphere={centre_m=[0.1,0.1,0.1],radius_m=1e9}}"), "body.0: found about 3.9e+32 particles (at least ");
   expect_refused(set("body.0.shape=" + k_ball_and_crumb + "{ sphere = { centre_m = [1e4, 1e4, 1e4], radius_m = 0.001 } }] }"),
                  "found bounds with room for about ");
 }

@@ -37,6 +37,7 @@ max_m = [0.331, -0.1, 0.27]
 name = "dough"
 density_kg_per_m3 = 1000
 specific_heat_J_per_kgK = 1000
+conductivity_W_per_mK = 1
 [[body]]
 material = "dough"
 )";

@@ -152,7 +152,7 @@ TEST(SceneError, BodyMustEndSomewhere) {
   EXPECT_EQ(error_of(k_least + k_dough + "[[body]]\nmaterial = \"dough\"\nshape = { half_space = {} }\n"),
             "bread.toml:14: body.0.shape: found a shape without end, allowed: a bounded one (cut it with an intersection)");
   const std::string body = k_least + k_dough + "[[body]]\nmaterial = \"dough\"\nshape = ";
-  for (const std::string& shape :
+  for (const std::string shape :
        {"{ union = [{ half_space = {} }, { sphere = { radius_m = 1 } }] }",
         "{ difference = [{ half_space = {} }, { sphere = { radius_m = 1 } }] }",
         "{ intersection = [{ half_space = {} }, { half_space = { normal = [0, 0, -1] } }] }",
