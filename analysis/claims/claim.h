@@ -9,15 +9,22 @@
 //     at_least = 1.2
 //     kind = "published"
 //     why = "figure 15: slits open"
+//
+// A regression is a claim like the others that holds for one quality; `bake bless` measures its expected value anew.
 #pragma once
 
 #include <functional>
 
-#include "analysis/claims/reference.h"
+#include "analysis/claims/metric.h"
 #include "solver/core/errors.h"
 #include "solver/scene/entry.h"
+#include "solver/scene/settings.h"
 
 namespace bake {
+
+/// Only the first three are evidence that the result is right; a regression value only tells that it changed.
+enum class Evidence { analytic, published, measured, regression };
+constexpr auto choice_names(Evidence) { return std::array{"analytic", "published", "measured", "regression"}; }
 
 /// What a metric does along `of`, which is a list then.
 enum class Order { rising, falling };
@@ -31,6 +38,7 @@ struct Claim {
   std::string greater_than;
   double factor = 1;
   std::optional<Order> order;
+  std::optional<Quality> quality;
   Evidence kind{};
   std::string why;
   static constexpr auto parameters() {
@@ -45,10 +53,13 @@ struct Claim {
         Parameter{"greater_than", &Claim::greater_than, "", any_number, "another run or surface: it is greater than the same of that"},
         Parameter{"factor", &Claim::factor, "1", positive, "... times this"},
         Parameter{"order", &Claim::order, "", any_number, "along the list `of`"},
+        Parameter{"quality", &Claim::quality, "", any_number, "it is judged at this quality only; needed of a regression"},
         Parameter{"kind", &Claim::kind, "", any_number, "what evidence it is", Presence::required},
         Parameter{"why", &Claim::why, "", any_number, "of the condition and its numbers", Presence::required},
     };
   }
+  /// `asked`: "draft".
+  bool is_judged_at(std::string_view asked) const { return !quality || word_of(*quality) == asked; }
 };
 
 /// A table [[claim]], checked by itself: a known metric with what it needs and nothing else, and one condition.
@@ -74,7 +85,7 @@ using Measure = std::function<double(const Claim& claim, const std::string& of)>
 /// One verdict per run; one for the whole list if the claim is an order.
 std::vector<ClaimVerdict> judge(const Claim& claim, const MetricWords& words, const Measure& measure);
 
-/// For people, like the table of `bake check`.
+/// For people, in columns as wide as what stands in them; the reason where one does not hold.
 std::string table(const std::vector<ClaimVerdict>& verdicts);
 
 }  // namespace bake
