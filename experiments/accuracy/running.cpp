@@ -8,7 +8,7 @@
 #include <ctime>
 #include <stdexcept>
 
-#include "experiments/common/scene_builder.h"
+#include "experiments/common/study_scene.h"
 #include "reference/compare/recipe_of.h"
 #include "solver/core/errors.h"
 #include "solver/effects/all_effects.h"
