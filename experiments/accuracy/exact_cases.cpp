@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "experiments/accuracy/scene_file.h"
-#include "experiments/accuracy/simulate.h"
+#include "experiments/accuracy/running.h"
 #include "experiments/convergence/exact.h"
 #include "experiments/convergence/manufactured.h"
 #include "solver/scene/reader.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/accuracy/knobs.h"
-
 #include <algorithm>
+
+#include "experiments/accuracy/case.h"
 
 namespace bake::studies::accuracy {
 
