@@ -3,6 +3,7 @@
 
 #include "solver/engine/physics.h"
 #include "tests/conservation/dough.h"
+#include "tests/support/temporary_folder.h"
 
 namespace bake {
 namespace {
@@ -68,12 +69,7 @@ TEST(AModel, HasOnlyTheColumnsOfItsEffects) {
 
 /// The message for a combination that is not compiled.
 std::string refusal(const char* effects, const char* motion = "") {
-  try {
-    make_physics<float>(scene_with(effects, motion));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
+  return message_of<InputError>([&] { make_physics<float>(scene_with(effects, motion)); });
 }
 
 TEST(AModel, OfUnknownCombinationIsRefusedInOneLineThatListsAllKnownOnes) {

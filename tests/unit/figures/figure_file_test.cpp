@@ -66,13 +66,8 @@ class FigureFile : public testing::Test {
   std::string error_of(const std::string& from, const std::string& to) const {
     std::string text = k_figure;
     text.replace(text.find(from), from.size(), to);
-    try {
-      read(text);
-      return "nothing";
-    } catch (const InputError& error) {
-      const std::string line = error.what(), folder = folder_.path().string() + "/";
-      return line.substr(line.find("figure.toml"));
-    }
+    const std::string line = message_of<InputError>([&] { read(text); });
+    return line.substr(line.find("figure.toml"));
   }
   const TemporaryFolder folder_;
 };
