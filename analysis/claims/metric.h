@@ -15,13 +15,13 @@ namespace bake {
 
 /// Where and when a metric is taken. Each metric says which of these it needs and which it knows; the others are refused.
 struct MetricPlace {
-  std::optional<Vector3> from_m, to_m;
-  std::optional<Vector3> point_m;
-  std::optional<Vector3> low_m, high_m;
-  std::optional<double> radius_m;
-  std::optional<double> temperature_C;
-  std::optional<double> dried_share;
-  std::optional<double> time_s;
+  std::optional<Vector3> from_m = {}, to_m = {};
+  std::optional<Vector3> point_m = {};
+  std::optional<Vector3> low_m = {}, high_m = {};
+  std::optional<double> radius_m = {};
+  std::optional<double> temperature_C = {};
+  std::optional<double> dried_share = {};
+  std::optional<double> time_s = {};
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"from_m", &MetricPlace::from_m, "m", any_number, "where the one particle is at the start"},
