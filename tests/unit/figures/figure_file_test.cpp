@@ -125,7 +125,7 @@ TEST_F(FigureFile, RefusesClaimsWithoutOneCondition) {
   EXPECT_EQ(error_of("expected = 2\ntolerance = 0\nkind = \"published\"", "at_least = 2\nkind = \"regression\""),
             "figure.toml:39: claim.1.kind: found a regression without an expected value");
   EXPECT_EQ(error_of("tolerance = 0\nkind = \"published\"", "tolerance = 0\nkind = \"regression\""),
-            "figure.toml:39: claim.1.kind: found a regression without the quality that it holds for");
+            "figure.toml:40: claim.1.kind: found a regression without the quality that it holds for");
 }
 
 TEST_F(FigureFile, RefersToWhatTheItemsFunctionGives) {
