@@ -72,6 +72,8 @@ TEST_F(ItemsFile, RefusesLinksThatLeadNowhere) {
 
 TEST_F(ItemsFile, RefusesAnExperimentThatNobodyNames) {
   std::filesystem::create_directories(folder_ / "experiments/fig99_pie");
+  EXPECT_NO_THROW(read()) << "a folder of sources is no experiment";
+  write("experiments/fig99_pie/pie.toml", "");
   EXPECT_NE(error_of().find("found experiments/fig99_pie, of which no [[item]] or [[other]] tells"), std::string::npos);
 }
 
