@@ -85,7 +85,7 @@ int check(const Figure& figure, const Results& results) {
   for (const Claim& claim : figure.claims)
     if (claim.is_judged_at(quality)) verdicts.push_back(verdict_of(claim, results));
   const auto missed = std::count_if(verdicts.begin(), verdicts.end(), [](const ClaimVerdict& v) { return !v.holds; });
-  fmt::print("{} ({} at {})\n{}", figure.runs.front().name, figure.title, quality, table(verdicts));
+  fmt::print("{} at {}: {}\n{}", figure.runs.front().name, quality, figure.title, table(verdicts));
   fmt::print("{} of {} claims hold\n", static_cast<std::ptrdiff_t>(verdicts.size()) - missed, verdicts.size());
   return missed == 0 && !verdicts.empty() ? k_success : k_failed_check;
 }
