@@ -6,6 +6,7 @@
 
 #include "experiments/accuracy/case.h"
 #include "solver/core/errors.h"
+#include "solver/scene/reader.h"
 
 namespace bake::studies::accuracy {
 
