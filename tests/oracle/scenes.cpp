@@ -5,7 +5,6 @@
 
 #include <random>
 
-#include "solver/scene/scene_builder.h"
 
 namespace bake {
 

@@ -5,7 +5,7 @@
 #include <ostream>
 #include <string>
 
-#include "solver/scene/scene.h"
+#include "solver/scene/scene_builder.h"
 
 namespace bake {
 
