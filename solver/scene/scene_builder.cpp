@@ -18,7 +18,7 @@ std::string SceneBuilder::text() const {
   add("[run]", fmt::format("end_s = 1e9\nframe_rate_per_s = {:.17g}\nprecision = \"{}\"\n{}", 1 / frame_s, precision, run));
   add("[grid]", fmt::format("dx_m = {:.17g}\nkernel = \"{}\"", dx, kernel));
   add("[domain]", fmt::format("min_m = {}\nmax_m = {}\n{}", in_brackets(low), in_brackets(high), faces));
-  add("[motion]", fmt::format("gravity_m_per_s2 = {}\n{}", gravity, motion));
+  add("[motion]", (gravity.empty() ? "" : fmt::format("gravity_m_per_s2 = {}\n", gravity)) + motion);
   add("[heat]", heat);
   add("[leavening]", leavening);
   add("[surface]", surface);

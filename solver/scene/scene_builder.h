@@ -19,7 +19,7 @@ struct SceneBuilder {
   double dx = 0.1;     ///< [m]
   std::string kernel = "quadratic";
   Vector3 low{-1, -1, -1}, high{1, 1, 1};                          ///< of the domain [m]
-  std::string gravity = "[0, 0, 0]";                               ///< [m/s^2]
+  std::string gravity = "[0, 0, 0]";                               ///< [m/s^2]; empty: that of the Earth
   std::string run, faces, motion, heat, leavening, surface, time;  ///< further keys of [run], [domain], [motion], ...
   std::string material;                                            ///< keys of the material "dough"
   std::string tables;                                              ///< further tables, other bodies among them

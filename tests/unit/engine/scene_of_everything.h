@@ -12,7 +12,7 @@ inline Scene scene_of_everything(const std::string& material, const std::string&
   SceneBuilder builder;
   builder.effects = k_everything;
   builder.precision = "single";
-  builder.gravity = "[0, 0, -9.81]";
+  builder.gravity = "";
   builder.low = {0, 0, 0};
   builder.material =
       "density_kg_per_m3 = 500\nyoung_modulus_Pa = 2e3\nspecific_heat_J_per_kgK = 20\nconductivity_W_per_mK = 100\n" + material;
