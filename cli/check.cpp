@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// bake check <item or results>, bake bless <item> --why "..."
+// bake check <scene or results>, bake bless <scene> --why "..."
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "analysis/claims/blessing.h"
-#include "analysis/claims/reference.h"
 #include "cli/commands.h"
-#include "solver/program/scene_files.h"
+#include "experiments/make/figure_file.h"
+#include "solver/io/atomic_file.h"
 #include "solver/run/kept_run.h"
 #include "solver/scene/describe.h"
 #include "solver/scene/nearest.h"
@@ -18,45 +19,40 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> reference_files() {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(fs::path(BAKE_SOURCE_DIR) / "reference/metrics"))
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
+/// What is claimed of one scene by itself. Written like a figure.toml.
+Figure read_claims(const fs::path& file) {
+  Figure figure = read_figure(file);
+  if (figure.runs.size() != 1 || figure.runs.front().mesh || !figure.surfaces.empty())
+    throw InputError(fmt::format("{}: found other runs or surfaces, allowed: one [[run]] without a mesh", file.string()));
+  return figure;
 }
 
-/// The reference of an item's name, or in a file of one's own.
-Reference find_reference(const std::string& item) {
-  if (fs::path(item).extension() == ".json") return read_reference(item);
+/// Those of experiments/*/claims.toml.
+std::vector<Figure> all_claims() {
+  std::vector<Figure> all;
+  for (const auto& folder : fs::directory_iterator(fs::path(BAKE_SOURCE_DIR) / "experiments"))
+    if (const fs::path file = folder.path() / "claims.toml"; fs::exists(file)) all.push_back(read_claims(file));
+  return all;
+}
+
+/// Those of a scene's name, or in a file of one's own.
+Figure find_claims(const std::string& name) {
+  if (fs::path(name).extension() == ".toml") return read_claims(name);
   std::vector<std::string> names;
-  for (const fs::path& file : reference_files()) {
-    if (file.stem() == item) return read_reference(file);
-    names.push_back(file.stem().string());
+  for (Figure& figure : all_claims()) {
+    names.push_back(figure.runs.front().name);
+    if (names.back() == name) return std::move(figure);
   }
-  throw InputError(fmt::format("unknown item '{}'; {}", item, suggestion(item, names)));
+  throw InputError(fmt::format("unknown name '{}'; {}", name, suggestion(name, names)));
 }
 
-/// The reference of the scene and quality that a run was made of.
-Reference reference_of(const Results& results, const fs::path& folder) {
+/// Those of the scene that a run was made of.
+Figure claims_of(const Results& results) {
   const fs::path scene = results.description().value("/scene/file"_json_pointer, std::string());
-  const std::string quality = results.description().value("/scene/quality"_json_pointer, std::string());
-  for (const fs::path& file : reference_files()) {
-    Reference reference = read_reference(file);
-    if (fs::path(reference.scene).stem() == scene.stem() && word_of(reference.quality) == quality) return reference;
-  }
-  throw InputError(fmt::format("{}: found a run of {} at {}, of which there is no reference, allowed: those of reference/metrics",
-                               folder.string(), scene.string(), quality));
-}
-
-/// The results of the reference's scene, of which only what is missing is run.
-Results results_of(const Reference& reference, const fs::path& folder, bool quiet) {
-  const Scene scene = open_scene(reference.scene, {reference.quality, {}}, quiet);
-  RunOptions options;
-  options.out = folder.empty() ? default_results(scene) : folder;
-  options.quiet = quiet;
-  complete_run(scene, options, kept_run(scene, options.out));
-  return Results(options.out);
+  for (Figure& figure : all_claims())
+    if (scene_file(figure, figure.runs.front()).stem() == scene.stem()) return std::move(figure);
+  throw InputError(fmt::format("{}: found a run of {}, of which nothing is claimed, allowed: those of experiments/*/claims.toml",
+                               results.folder().string(), scene.string()));
 }
 
 struct CheckArguments {
@@ -65,43 +61,59 @@ struct CheckArguments {
   bool quiet = false;
 };
 
-int check_subject(const CheckArguments& arguments) {
-  const bool is_run = fs::is_directory(arguments.subject) && fs::exists(fs::path(arguments.subject) / "run.json");
-  const auto [reference, verdicts] = [&] {
-    if (is_run) {
-      const Results results(arguments.subject);
-      Reference found = reference_of(results, arguments.subject);
-      auto all = check(found, results);
-      return std::pair(std::move(found), std::move(all));
-    }
-    Reference found = find_reference(arguments.subject);
-    auto all = check(found, results_of(found, arguments.out, arguments.quiet));
-    return std::pair(std::move(found), std::move(all));
-  }();
-  const auto missed = std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict& v) { return !v.holds(); });
-  fmt::print("{} ({} at {})\n{}", reference.item, reference.scene, word_of(reference.quality), table(verdicts));
-  fmt::print("{} of {} metrics hold\n", static_cast<std::ptrdiff_t>(verdicts.size()) - missed, verdicts.size());
-  return missed == 0 ? k_success : k_failed_check;
+/// The results of the scene at draft, of which only what is missing is run.
+Results results_of(const Figure& figure, const CheckArguments& arguments) {
+  const FigureRun& run = figure.runs.front();
+  const Scene scene = read_scene(scene_file(figure, run), {Quality::draft, run.set});
+  RunOptions options;
+  options.out = arguments.out.empty() ? default_results(scene) : arguments.out;
+  options.quiet = arguments.quiet;
+  complete_run(scene, options, kept_run(scene, options.out));
+  return Results(options.out);
 }
 
-int bless(const CheckArguments& arguments) {
-  Reference reference = find_reference(arguments.subject);
-  const std::string commit = commit_to_bless(arguments.why);
-  for (Verdict& v : check(reference, results_of(reference, arguments.out, arguments.quiet))) {
-    if (v.expectation.kind != Evidence::regression) {
-      if (!v.holds())
-        fmt::print("  {:<20} {:.6g} misses {}: evidence, never blessed\n", v.expectation.name, v.measured, v.expectation.words());
-      continue;
-    }
-    const auto at = std::find_if(reference.metrics.begin(), reference.metrics.end(),
-                                 [&](const Expectation& e) { return e.name == v.expectation.name && e.kind == Evidence::regression; });
-    fmt::print("  {:<20} {:.9g} -> {:.9g}\n", v.expectation.name, *v.expectation.expected, v.measured);
-    at->expected = v.measured;
+ClaimVerdict verdict_of(const Claim& claim, const Results& results) {
+  const Metric& metric = find_metric(claim.metric);
+  const auto measure = [&](const Claim&, const std::string&) { return metric.of_run(results, claim.place); };
+  return judge(claim, {metric.unit, metric.meaning}, measure).front();
+}
+
+int check(const Figure& figure, const Results& results) {
+  const std::string quality = results.description().value("/scene/quality"_json_pointer, std::string());
+  std::vector<ClaimVerdict> verdicts;
+  for (const Claim& claim : figure.claims)
+    if (claim.is_judged_at(quality)) verdicts.push_back(verdict_of(claim, results));
+  const auto missed = std::count_if(verdicts.begin(), verdicts.end(), [](const ClaimVerdict& v) { return !v.holds; });
+  fmt::print("{} at {}: {}\n{}", figure.runs.front().name, quality, figure.title, table(verdicts));
+  fmt::print("{} of {} claims hold\n", static_cast<std::ptrdiff_t>(verdicts.size()) - missed, verdicts.size());
+  return missed == 0 && !verdicts.empty() ? k_success : k_failed_check;
+}
+
+/// Only regressions are measured anew.
+int bless(const Figure& figure, const CheckArguments& arguments) {
+  Blessing blessing{{}, arguments.why, commit_to_bless(arguments.why)};
+  const Results results = results_of(figure, arguments);
+  for (const Claim& claim : figure.claims) {
+    const ClaimVerdict v = verdict_of(claim, results);
+    const bool is_regression = claim.kind == Evidence::regression;
+    blessing.expected.push_back(is_regression ? std::optional(v.measured) : std::nullopt);
+    if (is_regression)
+      fmt::print("  {:<20} {:.9g} -> {:.9g}\n", v.metric, *claim.expected, v.measured);
+    else if (!v.holds)
+      fmt::print("  {:<20} {:.6g} misses {}: evidence, never blessed\n", v.metric, v.measured, v.condition);
   }
-  reference.blessed = {{"why", arguments.why}, {"commit", commit}};
-  write_reference(reference);
-  fmt::print("{} is written; commit it\n", reference.file.string());
+  write_text_atomically(figure.file, bless_claims(read_text_file(figure.file), blessing));
+  fmt::print("{} is written; commit it\n", figure.file.string());
   return k_success;
+}
+
+int check(const CheckArguments& arguments) {
+  if (fs::exists(fs::path(arguments.subject) / "run.json")) {
+    const Results results(arguments.subject);
+    return check(claims_of(results), results);
+  }
+  const Figure figure = find_claims(arguments.subject);
+  return check(figure, results_of(figure, arguments));
 }
 
 }  // namespace
@@ -109,20 +121,20 @@ int bless(const CheckArguments& arguments) {
 void add_check_commands(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<CheckArguments>();
   const auto add_common = [&](CLI::App& command) {
-    command.add_option("--out", arguments->out, "folder of the results [results/<scene>-<quality>]")->type_name("DIR");
+    command.add_option("--out", arguments->out, "folder of the results [results/<scene>-draft]")->type_name("DIR");
     command.add_flag("--quiet", arguments->quiet, "no progress");
   };
-  CLI::App& check_command = *app.add_subcommand("check", "Compare a run with its reference metrics");
-  check_command.add_option("subject", arguments->subject, "item of reference/metrics, a reference file, or the folder of a finished run")
+  CLI::App& check_command = *app.add_subcommand("check", "Compare a run with what is claimed of its scene");
+  check_command.add_option("subject", arguments->subject, "bread, cookie, a file like their claims.toml, or the folder of a finished run")
       ->required();
   add_common(check_command);
-  check_command.callback([arguments, &action] { action = [arguments] { return check_subject(*arguments); }; });
+  check_command.callback([arguments, &action] { action = [arguments] { return check(*arguments); }; });
 
-  CLI::App& bless_command = *app.add_subcommand("bless", "Measure an item's regression metrics anew, with a reason");
-  bless_command.add_option("item", arguments->subject, "item of reference/metrics, or a reference file")->required();
+  CLI::App& bless_command = *app.add_subcommand("bless", "Measure a scene's regressions anew, with a reason");
+  bless_command.add_option("scene", arguments->subject, "bread, cookie, or a file like their claims.toml")->required();
   bless_command.add_option("--why", arguments->why, "the reason")->required();
   add_common(bless_command);
-  bless_command.callback([arguments, &action] { action = [arguments] { return bless(*arguments); }; });
+  bless_command.callback([arguments, &action] { action = [arguments] { return bless(find_claims(arguments->subject), *arguments); }; });
 }
 
 }  // namespace bake::cli

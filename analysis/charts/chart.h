@@ -90,7 +90,8 @@ struct Chart {
   std::string title;          ///< what it shows, in one line without mathematics: for the page; not drawn
   std::vector<Panel> panels;  ///< side by side, row by row
   int columns = 2;            ///< panels per row
-  double panel_width_in = 3.3, panel_height_in = 2.6;
+  double panel_width_in = columns == 1 ? 6 : columns == 2 ? 3.3 : 2.35;  ///< three as wide as a page
+  double panel_height_in = columns <= 2 ? 2.6 : 2.2;
 };
 
 /// The palette for categories: six colours that colour-blind readers can tell apart (Okabe and Ito), on light and dark pages.

@@ -3,11 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "solver/core/errors.h"
+#include "solver/scene/entry.h"
 
 namespace bake::cli {
 namespace {
@@ -31,6 +35,21 @@ std::string commit_to_bless(const std::string& why) {
   if (const std::string changes = git("status --porcelain"); !changes.empty())
     throw InputError("bless: found uncommitted changes, allowed: a clean tree, so that the new numbers belong to a commit");
   return git("rev-parse HEAD").substr(0, 40);
+}
+
+std::string bless_claims(const std::string& text, const Blessing& blessing) {
+  constexpr const char* k_heading = "\n[blessed]\n";
+  const toml::table file = parse_toml(text, "claims.toml");
+  std::vector<std::string> lines;
+  for (std::istringstream in(text.substr(0, text.find(k_heading))); std::getline(in, lines.emplace_back());) continue;
+  for (std::size_t i = blessing.expected.size(); i-- > 0;) {  // from the end, so that places before it stay what they are
+    if (!blessing.expected[i]) continue;
+    const toml::source_region& place = file["claim"][i]["expected"].node()->source();
+    lines[place.begin.line - 1].replace(place.begin.column - 1, place.end.column - place.begin.column,
+                                        fmt::format("{}", *blessing.expected[i]));
+  }
+  return fmt::format("{}{}why = {}\ncommit = \"{}\"\n", fmt::join(lines, "\n"), k_heading, nlohmann::json(blessing.why).dump(),
+                     blessing.commit);
 }
 
 }  // namespace bake::cli

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/claims/table.h"
 #include "solver/scene/nearest.h"
 #include "solver/scene/read_value.h"
 
@@ -52,11 +51,22 @@ void check_condition(const SceneEntry& entry, const Claim& claim) {
   if (claim.order && claim.of.size() < 2) entry.complain_at("order", "needs a list `of` at least two");
   if (claim.factor != 1 && claim.greater_than.empty()) entry.complain_at("factor", "needs greater_than");
   if (claim.kind == Evidence::regression && !claim.expected) entry.complain_at("kind", "found a regression without an expected value");
+  if (claim.kind == Evidence::regression && !claim.quality)
+    entry.complain_at("kind", "found a regression without the quality that it holds for");
   if (claim.why.empty()) entry.complain_at("why", "found \"\", allowed: the reason");
 }
 
-Expectation expectation_of(const Claim& claim) {
-  return {claim.metric, claim.kind, claim.expected, claim.tolerance, claim.at_least, claim.at_most, claim.why};
+/// "2.59 +- 0.01", ">= 1.5"
+std::string words_of_bounds(const Claim& claim) {
+  if (claim.expected) return fmt::format("{:.6g} +- {:.2g}", *claim.expected, *claim.tolerance);
+  if (claim.at_least && claim.at_most) return fmt::format("{:.6g} to {:.6g}", *claim.at_least, *claim.at_most);
+  return claim.at_least ? fmt::format(">= {:.6g}", *claim.at_least) : fmt::format("<= {:.6g}", *claim.at_most);
+}
+
+bool is_within_bounds(const Claim& claim, double measured) {
+  if (!std::isfinite(measured)) return false;
+  if (claim.expected) return std::abs(measured - *claim.expected) <= *claim.tolerance;
+  return (!claim.at_least || measured >= *claim.at_least) && (!claim.at_most || measured <= *claim.at_most);
 }
 
 ClaimVerdict verdict(const Claim& claim, const MetricWords& words, const std::string& of, double measured) {
@@ -67,8 +77,8 @@ ClaimVerdict verdict(const Claim& claim, const MetricWords& words, const std::st
 ClaimVerdict judge_one(const Claim& claim, const MetricWords& words, const std::string& of, const Measure& measure) {
   ClaimVerdict v = verdict(claim, words, of, measure(claim, of));
   if (claim.greater_than.empty()) {
-    v.condition = expectation_of(claim).words();
-    v.holds = expectation_of(claim).holds(v.measured);
+    v.condition = words_of_bounds(claim);
+    v.holds = is_within_bounds(claim, v.measured);
     return v;
   }
   const double other = measure(claim, claim.greater_than);
@@ -118,12 +128,18 @@ std::vector<ClaimVerdict> judge(const Claim& claim, const MetricWords& words, co
 }
 
 std::string table(const std::vector<ClaimVerdict>& verdicts) {
-  std::vector<TableRow> rows;
-  rows.reserve(verdicts.size());
+  const auto name_of = [](const ClaimVerdict& v) { return v.of.empty() ? v.metric : fmt::format("{} of {}", v.metric, v.of); };
+  std::size_t what = 20, condition = 22;
+  for (const ClaimVerdict& v : verdicts) {
+    what = std::max(what, name_of(v).size());
+    condition = std::max(condition, v.condition.size());
+  }
+  std::string text = fmt::format("  {:<{}} {:>12} {:<6} {:<{}} {:<10}  {}\n", "metric", what, "measured", "unit", "expected", condition,
+                                 "kind", "verdict");
   for (const ClaimVerdict& v : verdicts)
-    rows.push_back(
-        {v.of.empty() ? v.metric : fmt::format("{} of {}", v.metric, v.of), v.measured, v.unit, v.condition, v.kind, v.holds, v.why});
-  return table(rows);
+    text += fmt::format("  {:<{}} {:>12.6g} {:<6} {:<{}} {:<10}  {}\n", name_of(v), what, v.measured, v.unit, v.condition, condition,
+                        word_of(v.kind), v.holds ? "holds" : "MISSED: " + v.why);
+  return text;
 }
 
 }  // namespace bake

@@ -9,15 +9,22 @@
 //     at_least = 1.2
 //     kind = "published"
 //     why = "figure 15: slits open"
+//
+// A regression is a claim like the others that holds for one quality; `bake bless` measures its expected value anew.
 #pragma once
 
 #include <functional>
 
-#include "analysis/claims/reference.h"
+#include "analysis/claims/metric.h"
 #include "solver/core/errors.h"
 #include "solver/scene/entry.h"
+#include "solver/scene/settings.h"
 
 namespace bake {
+
+/// Only the first three are evidence that the result is right; a regression value only tells that it changed.
+enum class Evidence { analytic, published, measured, regression };
+constexpr auto choice_names(Evidence) { return std::array{"analytic", "published", "measured", "regression"}; }
 
 /// How the numbers change along the list `of`.
 enum class Trend { rising, falling };
@@ -31,6 +38,7 @@ struct Claim {
   std::string greater_than;
   double factor = 1;
   std::optional<Trend> order;
+  std::optional<Quality> quality;
   Evidence kind{};
   std::string why;
   static constexpr auto parameters() {
@@ -46,10 +54,13 @@ struct Claim {
                   "another run or surface: the number must be greater than the same metric of that one"},
         Parameter{"factor", &Claim::factor, "1", positive, "... times this"},
         Parameter{"order", &Claim::order, "", any_number, "along the list `of`"},
+        Parameter{"quality", &Claim::quality, "", any_number, "it is judged at this quality only; needed of a regression"},
         Parameter{"kind", &Claim::kind, "", any_number, "what evidence it is", Presence::required},
         Parameter{"why", &Claim::why, "", any_number, "the reason for the condition and its numbers", Presence::required},
     };
   }
+  /// `asked`: "draft".
+  bool is_judged_at(std::string_view asked) const { return !quality || word_of(*quality) == asked; }
 };
 
 /// Reads a table [[claim]] and checks it: a known metric with the keys that it needs and no others, and one condition.
@@ -75,7 +86,7 @@ using Measure = std::function<double(const Claim& claim, const std::string& of)>
 /// The verdicts of a claim, one per run.
 std::vector<ClaimVerdict> judge(const Claim& claim, const MetricWords& words, const Measure& measure);
 
-/// The verdicts as a table for the terminal.
+/// For people, in columns as wide as what stands in them; the reason where one does not hold.
 std::string table(const std::vector<ClaimVerdict>& verdicts);
 
 }  // namespace bake

@@ -15,13 +15,13 @@ namespace bake {
 
 /// Where and when a metric is measured. Each metric lists the keys that it needs and those that it knows; others are refused.
 struct MetricPlace {
-  std::optional<Vector3> from_m, to_m;
-  std::optional<Vector3> point_m;
-  std::optional<Vector3> low_m, high_m;
-  std::optional<double> radius_m;
-  std::optional<double> temperature_C;
-  std::optional<double> dried_share;
-  std::optional<double> time_s;
+  std::optional<Vector3> from_m = {}, to_m = {};
+  std::optional<Vector3> point_m = {};
+  std::optional<Vector3> low_m = {}, high_m = {};
+  std::optional<double> radius_m = {};
+  std::optional<double> temperature_C = {};
+  std::optional<double> dried_share = {};
+  std::optional<double> time_s = {};
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"from_m", &MetricPlace::from_m, "m", any_number, "position of one particle at the start"},

@@ -45,7 +45,7 @@ void PictureOptions::add_to(CLI::App& command) {
 }
 
 View PictureOptions::read() const {
-  View result = read_view(view, overrides);
+  View result = view.empty() ? parse_view("", "command line", overrides) : read_view(view, overrides);
   if (samples > 0) result.picture.samples = samples;
   if (size.empty()) return result;
   const std::size_t x = size.find('x');

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <array>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "analysis/cli/commands.h"
 #include "analysis/image/montage.h"
@@ -10,6 +13,7 @@
 #include "analysis/surface/splat.h"
 #include "solver/core/errors.h"
 #include "solver/io/progress.h"
+#include "solver/scene/entry.h"
 
 namespace bake::render {
 
@@ -35,19 +39,50 @@ void add_picture_command(CLI::App& app, Action& action) {
   });
 }
 
+namespace {
+
+struct SliceOptions : PictureOptions {
+  std::vector<std::filesystem::path> files;
+  std::filesystem::path out;
+  std::string by, cut;
+
+  /// Without a view the first file stands where it would; `by` and `cut` are values of the view under short names.
+  void put_in() {
+    const bool has_view = view.extension() == ".toml";
+    if (!has_view) files.insert(files.begin(), std::exchange(view, {}));
+    if (files.empty()) throw InputError("files: missing, allowed: frames or meshes");
+    if (!by.empty()) overrides.push_back(fmt::format("panel=[{{ field = {} }}]", nlohmann::json(by).dump()));
+    if (cut.empty()) {
+      if (!has_view) overrides.emplace_back("slice.cut=false");
+      return;
+    }
+    const std::size_t axis = std::string_view("xyz").find(cut[0]);
+    if (axis == std::string::npos || cut.size() < 3 || cut[1] != '=')
+      throw InputError(fmt::format("--cut: found '{}', allowed: x=, y= or z= and a number of metres, as in y=0", quotable(cut)));
+    std::array<std::string, 3> point{"0", "0", "0"}, normal = point;
+    point[axis] = cut.substr(2);
+    normal[axis] = "-1";
+    overrides.push_back(fmt::format("slice.point_m=[{}]", fmt::join(point, ", ")));
+    overrides.push_back(fmt::format("slice.normal=[{}]", fmt::join(normal, ", ")));
+  }
+};
+
+}  // namespace
+
 void add_slice_command(CLI::App& app, Action& action) {
-  struct Options : PictureOptions {
-    std::vector<std::filesystem::path> files;
-    std::filesystem::path out;
-  };
+  using Options = SliceOptions;
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("slice", "A technical picture: bodies cut open, coloured by the fields of the view's [[panel]]s");
   options->add_to(*command);
-  command->add_option("files", options->files, "frames or meshes")->required();
+  command->get_option("view")->description("a view, if there is one, before the frames or meshes");
+  command->add_option("files", options->files, "frames or meshes");
+  command->add_option("--by", options->by, "the field that is shown, instead of the view's [[panel]]s");
+  command->add_option("--cut", options->cut, "y=0: what lies below on that axis is taken away; without a view or this nothing is");
   command->add_option("--out", options->out, "the picture, a PNG file")->required();
   command->callback([&action, options] {
     action = [options] {
       check_ending(options->out, ".png");
+      options->put_in();
       write_png(options->out,
                 take_slices(options->read(), options->files, options->results_of(options->files.size()), thread_count(options->threads)));
       return k_success;

@@ -7,45 +7,28 @@
 #include <cmath>
 
 #include "solver/scene/describe.h"
-#include "solver/scene/reader.h"
+#include "solver/scene/scene_builder.h"
 
 namespace bake::bench {
-
-namespace {
 
 // The dough of fig. 15 under the gravity of experiments/fig15_bread, baked from 30 C on the same grid whatever its size, with a
 // fifth of that dough's yield stress: after the few steps before the clock starts most particles flow, as in most of a bake. With all
 // of Earth's gravity a loaf without gas is pressed flat, and strains so large that they leave the series are timed instead.
-constexpr const char* k_loaf = R"(
-title = "loaf"
-effects = ["{effects}"]
-[run]
-end_s = 100
-precision = "{precision}"
-[grid]
-dx_m = 0.01
-[domain]
-min_m = [-{size}, -{size}, 0]
-max_m = [{size}, {size}, {size}]
-[motion]
-gravity_m_per_s2 = [0, 0, -1]
-transfer = "{transfer}"
-[leavening]
-reference_pressure_Pa = 4000
-[water]
-latent_heat_J_per_kg = 1.7e4
-[oven]
-temperature_C = 200
-heat_transfer_coefficient_W_per_m2K = 100
-[[collider]]
-name = "tray"
-shape = {{ half_space = {{ point_m = [0, 0, 0], normal = [0, 0, 1] }} }}
-contact = "sticky"
-temperature_C = 200
-heat_transfer_coefficient_W_per_m2K = 150
-[[material]]
-name = "dough"
-density_kg_per_m3 = 500
+Scene loaf(const Combination& combination, Precision precision, double particles) {
+  constexpr double k_pi = 3.14159265358979323846, per_cell = 7, dx = 0.01;
+  constexpr double length = 5, width = 3, height = 3;  // half an ellipsoid, times `scale`
+  const double scale = std::cbrt(particles / per_cell * dx * dx * dx / (2 * k_pi / 3 * length * width * height));
+  const double size = 1.3 * length * scale;
+  SceneBuilder builder;
+  builder.dx = dx;
+  builder.effects = fmt::format("{}", fmt::join(combination.effects, ", "));
+  builder.precision = word_of(precision);
+  builder.low = {-size, -size, 0};
+  builder.high = {size, size, size};
+  builder.gravity = "[0, 0, -1]";
+  builder.motion = combination.flip ? "transfer = \"flip\"" : "";
+  builder.leavening = "reference_pressure_Pa = 4000";
+  builder.material = R"(density_kg_per_m3 = 500
 young_modulus_Pa = 2e3
 poisson_ratio = 0.3
 initial_temperature_C = 30
@@ -63,58 +46,40 @@ pressure_Pa = 300
 production_mol_per_kgs = 0.03
 peak_temperature_C = 40
 temperature_width_K = 20
-[[body]]
-material = "dough"
-particles_per_cell = 7
-shape = {{ intersection = [
-    {{ superellipsoid = {{ centre_m = [0, 0, 0], half_axes_m = [{length}, {width}, {height}], plan_exponent = 2, profile_exponent = 2 }} }},
+)";
+  builder.tables = R"([water]
+latent_heat_J_per_kg = 1.7e4
+[oven]
+temperature_C = 200
+heat_transfer_coefficient_W_per_m2K = 100
+[[collider]]
+name = "tray"
+shape = { half_space = { point_m = [0, 0, 0], normal = [0, 0, 1] } }
+contact = "sticky"
+temperature_C = 200
+heat_transfer_coefficient_W_per_m2K = 150
+)";
+  builder.particles_per_cell = per_cell;
+  builder.shape = fmt::format(R"(intersection = [
+    {{ superellipsoid = {{ centre_m = [0, 0, 0], half_axes_m = [{}, {}, {}], plan_exponent = 2, profile_exponent = 2 }} }},
     {{ half_space = {{ point_m = [0, 0, 0], normal = [0, 0, -1] }} }},
-] }}
-)";
-
-constexpr const char* k_block = R"(
-title = "elastic block"
-effects = ["motion", "elasticity"]
-[run]
-end_s = 100
-precision = "{precision}"
-[grid]
-dx_m = 0.01
-[domain]
-min_m = [-0.08, -0.08, -0.08]
-max_m = [{far}, {far}, {far}]
-[motion]
-gravity_m_per_s2 = [0, 0, 0]
-[[material]]
-name = "rubber"
-density_kg_per_m3 = 1000
-young_modulus_Pa = 1e5
-poisson_ratio = 0.3
-[[body]]
-material = "rubber"
-particles_per_cell = 8
-jitter = 0
-shape = {{ box = {{ centre_m = [{half}, {half}, {half}], half_extents_m = [{half}, {half}, {half}] }} }}
-)";
-
-}  // namespace
-
-Scene loaf(const Combination& combination, Precision precision, double particles) {
-  constexpr double k_pi = 3.14159265358979323846, per_cell = 7, dx = 0.01;
-  constexpr double length = 5, width = 3, height = 3;  // half an ellipsoid, times `scale`
-  const double scale = std::cbrt(particles / per_cell * dx * dx * dx / (2 * k_pi / 3 * length * width * height));
-  return parse_scene(
-      fmt::format(k_loaf, fmt::arg("effects", fmt::join(combination.effects, "\", \"")), fmt::arg("precision", word_of(precision)),
-                  fmt::arg("transfer", combination.flip ? "flip" : "apic"), fmt::arg("length", length * scale),
-                  fmt::arg("width", width * scale), fmt::arg("height", height * scale), fmt::arg("size", 1.3 * length * scale)),
-      "loaf.toml");
+])",
+                              length * scale, width * scale, height * scale);
+  return builder.scene();
 }
 
 Scene elastic_block(Precision precision, int cells) {
   const double side = 0.01 * cells;
-  return parse_scene(
-      fmt::format(k_block, fmt::arg("precision", word_of(precision)), fmt::arg("far", side + 0.08), fmt::arg("half", side / 2)),
-      "block.toml");
+  SceneBuilder builder;
+  builder.effects = "motion, elasticity";
+  builder.precision = word_of(precision);
+  builder.dx = 0.01;
+  builder.low = {-0.08, -0.08, -0.08};
+  builder.high = {side + 0.08, side + 0.08, side + 0.08};
+  builder.material = "density_kg_per_m3 = 1000\nyoung_modulus_Pa = 1e5\npoisson_ratio = 0.3\n";
+  builder.shape = fmt::format("box = {{ centre_m = [{0}, {0}, {0}], half_extents_m = [{0}, {0}, {0}] }}", side / 2);
+  builder.body = "jitter = 0";
+  return builder.scene();
 }
 
 }  // namespace bake::bench

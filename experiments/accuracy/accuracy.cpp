@@ -7,7 +7,6 @@
 #include <map>
 #include <optional>
 
-#include "experiments/accuracy/knobs.h"
 #include "experiments/accuracy/result.h"
 #include "solver/core/errors.h"
 #include "solver/io/atomic_file.h"

@@ -57,6 +57,14 @@ struct Case {
   std::function<void(const std::filesystem::path& folder)> make_reference = {};
 };
 
+/// Every variant of a case that this effort measures; the default's come first, each curve's with rising cells.
+std::vector<Variant> variants_of(const Case& c, Effort effort);
+
+/// experiments/<name>.toml.
+std::filesystem::path scene_path(const std::string& name);
+/// The same read with dx = length / v.cells, the overrides of the case, then those of the variant. Throws InputError.
+Scene scene_of_file(const std::string& name, double length, const Variant& v, const std::vector<std::string>& of_case = {});
+
 /// All cases, in order of their names in the tables. To add one, add a line in cases.cpp.
 const std::vector<Case>& all_cases();
 /// Throws InputError, with the known names.

@@ -6,6 +6,7 @@
 
 #include "experiments/accuracy/case.h"
 #include "solver/core/errors.h"
+#include "solver/scene/reader.h"
 
 namespace bake::studies::accuracy {
 
@@ -24,6 +25,18 @@ const Case& find_case(const std::string& name) {
   known.reserve(all.size());
   for (const Case& c : all) known.push_back(c.name);
   throw InputError(fmt::format("--case: found \"{}\", allowed: {}", name, fmt::join(known, ", ")));
+}
+
+std::filesystem::path scene_path(const std::string& name) {
+  return std::filesystem::path(BAKE_SOURCE_DIR) / "experiments" / (name + ".toml");
+}
+
+Scene scene_of_file(const std::string& name, double length, const Variant& v, const std::vector<std::string>& of_case) {
+  ReadOptions options{Quality::paper, of_case};
+  options.overrides.push_back(fmt::format("grid.dx_m={:.17g}", length / v.cells));
+  options.overrides.insert(options.overrides.end(), v.overrides.begin(), v.overrides.end());
+  if (v.per_cell > 0) options.overrides.push_back(fmt::format("body.0.particles_per_cell={}", v.per_cell));
+  return read_scene(scene_path(name), options);
 }
 
 }  // namespace bake::studies::accuracy

@@ -63,13 +63,11 @@ Panel panel_of(const CaseResult& result, const char* title, const Axis& x, Cost 
 }  // namespace
 
 void write_charts(const CaseResult& result, const std::filesystem::path& folder) {
-  Chart chart;
-  chart.name = result.of().name;
-  chart.title = "Error against particle-steps and against processor time: " + result.of().measured;
-  chart.panels = {panel_of(result, "error against particle-steps", {"particle-steps"}, particle_steps),
-                  panel_of(result, "error against processor time", {"processor time", "s"}, cpu_seconds)};
-  chart.columns = 1;
-  chart.panel_width_in = 6;
+  Chart chart{result.of().name,
+              "Error against particle-steps and against processor time: " + result.of().measured,
+              {panel_of(result, "error against particle-steps", {"particle-steps"}, particle_steps),
+               panel_of(result, "error against processor time", {"processor time", "s"}, cpu_seconds)},
+              1};
   chart.panel_height_in = std::max(3.2, 0.7 + 0.19 * static_cast<double>(chart.panels[0].series.size()));  // one column of names
   if (!chart.panels[0].series.empty() && !chart.panels[1].series.empty()) write_chart(chart, folder);
 }

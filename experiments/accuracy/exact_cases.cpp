@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "experiments/accuracy/scene_file.h"
-#include "experiments/accuracy/simulate.h"
+#include "experiments/accuracy/running.h"
 #include "experiments/convergence/exact.h"
 #include "experiments/convergence/manufactured.h"
 #include "solver/scene/reader.h"
@@ -30,7 +29,7 @@ Scene scene_of(Bar bar, const Variant& v) {
   return bar.setting().scene();
 }
 
-Scene scene_of(bake::studies::SceneBuilder setting, const Variant& v) {
+Scene scene_of(bake::studies::StudyScene setting, const Variant& v) {
   setting.overrides = with_defaults(v.overrides);
   if (v.per_cell > 0) setting.overrides.push_back(fmt::format("body.0.particles_per_cell={}", v.per_cell));
   return setting.scene();
@@ -78,8 +77,8 @@ Case cooling_sphere() {
   c.full_cells = {12, 16, 24};
   c.knobs = {"step", "kernel", "particles", "precision", "euler", "surface", "textbook"};
   c.scene_of = [](const Variant& v) {
-    bake::studies::SceneBuilder setting = ball_in_air::setting(v.cells, 1);
-    setting.end_s = end;
+    bake::studies::StudyScene setting = ball_in_air::setting(v.cells, 1);
+    setting.frame_s = end;
     return scene_of(setting, v);
   };
   c.measure = [](const Scene& scene, By by) {

@@ -37,7 +37,6 @@ struct Curve {
 /// What is paid.
 using Cost = double (*)(const Point&);
 inline double particle_steps(const Point& p) { return p.particle_steps; }
-inline double wall_seconds(const Point& p) { return p.wall_s.median; }
 inline double cpu_seconds(const Point& p) { return p.cpu_s.median; }
 
 /// Fills `settled` of every point. A curve that failed on a finer grid settles nothing.

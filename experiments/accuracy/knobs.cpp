@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/accuracy/knobs.h"
-
 #include <algorithm>
+
+#include "experiments/accuracy/case.h"
 
 namespace bake::studies::accuracy {
 
 namespace {
 
 /// A value of a knob; `knob` is what cases ask for.
-struct SceneBuilder {
+struct Knob {
   const char* knob;
   const char* label;
   std::vector<std::string> overrides;
@@ -18,8 +18,8 @@ struct SceneBuilder {
 
 // What all cases start from, unless their scene says otherwise: a safety of 0.5 (half the step that the rule would still allow),
 // quadratic kernel, APIC, single precision, forward Euler, standard surface. To add a value, add a line.
-const std::vector<SceneBuilder>& all_settings() {
-  static const std::vector<SceneBuilder> settings{
+const std::vector<Knob>& all_settings() {
+  static const std::vector<Knob> settings{
       {"step", "safety 1", {"time.safety=1"}},
       {"step", "safety 0.25", {"time.safety=0.25"}},
       {"step", "safety 0.125", {"time.safety=0.125"}},
@@ -68,7 +68,7 @@ std::vector<int> cells_of_default(const Case& c, Effort effort) {
   return sorted(cells);
 }
 
-std::vector<int> cells_of(const Case& c, const SceneBuilder& s, Effort effort) {
+std::vector<int> cells_of(const Case& c, const Knob& s, Effort effort) {
   if (s.by == By::solver) return cells_of_every_curve(c, effort);
   std::vector<int> coarsest = c.cells;  // the textbook is slow
   coarsest.resize(std::min<std::size_t>(coarsest.size(), effort == Effort::full ? 3 : 2));
@@ -82,7 +82,7 @@ bool turns(const Case& c, const std::string& knob) { return std::find(c.knobs.be
 std::vector<Variant> variants_of(const Case& c, Effort effort) {
   std::vector<Variant> variants;
   for (const int n : cells_of_default(c, effort)) variants.push_back({"default", n, 0, {}, By::solver});
-  for (const SceneBuilder& s : all_settings())
+  for (const Knob& s : all_settings())
     if (turns(c, s.knob))
       for (const int n : cells_of(c, s, effort)) variants.push_back({s.label, n, s.per_cell, s.overrides, s.by});
   return variants;

@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 
 #include "experiments/accuracy/running.h"
-#include "experiments/accuracy/scene_file.h"
 #include "solver/core/errors.h"
 #include "solver/io/atomic_file.h"
 #include "solver/io/provenance.h"

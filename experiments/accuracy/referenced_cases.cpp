@@ -4,29 +4,6 @@
 
 namespace bake::studies::accuracy {
 
-namespace {
-
-MetricPlace at_point(const Vector3& point) {
-  MetricPlace place;
-  place.point_m = point;
-  return place;
-}
-
-MetricPlace between(const Vector3& from, const Vector3& to) {
-  MetricPlace place;
-  place.from_m = from;
-  place.to_m = to;
-  return place;
-}
-
-MetricPlace dried(double share) {
-  MetricPlace place;
-  place.dried_share = share;
-  return place;
-}
-
-}  // namespace
-
 Case drying_cube() {
   Case c;
   c.measured = "water lost, mean temperature and temperature of the middle after an hour, rms, each relative to its change";
@@ -41,7 +18,7 @@ Case drying_cube() {
             32,
             {{"water lost", "water_lost_share"},
              {"mean temperature", "mean_temperature", {}, 20},
-             {"temperature of the middle", "temperature_at", at_point({0, 0, 0}), 20}}});
+             {"temperature of the middle", "temperature_at", {.point_m = Vector3{0, 0, 0}}, 20}}});
   return c;
 }
 
@@ -119,10 +96,10 @@ Case bread() {
             0.08,
             8,
             {{"volume gain", "volume_gain", {}, 1},
-             {"temperature of the core", "temperature_at", at_point({0, 0, 0.1}), 1},
+             {"temperature of the core", "temperature_at", {.point_m = Vector3{0, 0, 0.1}}, 1},
              // a tenth: drier than that at draft, too, where a crust of less than a cell is smeared over one
-             {"thickness of the crust", "crust_thickness", dried(0.1)},
-             {"width of the slit", "distance_gain", between({-0.028, -0.0195, 0.28}, {0.028, 0.0195, 0.28}), 1}}});
+             {"thickness of the crust", "crust_thickness", {.dried_share = 0.1}},
+             {"width of the slit", "distance_gain", {.from_m = Vector3{-0.028, -0.0195, 0.28}, .to_m = Vector3{0.028, 0.0195, 0.28}}, 1}}});
   return c;
 }
 

@@ -7,8 +7,6 @@
 #include <array>
 #include <cmath>
 
-#include "experiments/accuracy/knobs.h"
-#include "experiments/accuracy/scene_file.h"
 #include "solver/scene/reader.h"
 #include "solver/scene/resolved.h"
 
@@ -52,31 +50,7 @@ Point point_of(const Variant& v, const std::vector<json>& lines) {
 
 json as_json(const Spread& s) { return {{"median", s.median}, {"low", s.low}, {"high", s.high}}; }
 
-json as_json(const Point& p) {
-  return {{"setting", p.variant.label},
-          {"cells", p.variant.cells},
-          {"overrides", p.variant.overrides},
-          {"particles_per_cell", p.variant.per_cell},
-          {"by", p.variant.by == By::textbook ? "textbook" : "solver"},
-          {"repeats", p.repeats},
-          {"failure", p.failure},
-          {"error", p.error},
-          {"settled_error", p.settled},
-          {"parts", p.parts},
-          {"particles", p.particles},
-          {"steps", p.steps},
-          {"particle_steps", p.particle_steps},
-          {"wall_s", as_json(p.wall_s)},
-          {"cpu_s", as_json(p.cpu_s)},
-          {"load_average", as_json(p.load_average)}};
-}
-
 json place(const Point* p) { return p ? json{{"setting", p->variant.label}, {"cells", p->variant.cells}} : json(nullptr); }
-
-template <class T>
-json or_null(const std::optional<T>& value) {
-  return value ? json(*value) : json(nullptr);
-}
 
 }  // namespace
 
@@ -165,16 +139,7 @@ std::string brief(double number) { return number < 99.5 ? fmt::format("{:.2g}", 
 std::string percent(double share) { return brief(100 * share) + " %"; }
 
 json as_json(const CaseResult& result) {
-  json curves = json::array(), best = json::array(), goals = json::array(), qualities = json::array();
-  for (const Curve& curve : result.curves()) {
-    json points = json::array();
-    for (const Point& p : curve.points) points.push_back(as_json(p));
-    curves.push_back({{"setting", curve.label},
-                      {"order", or_null(order(curve))},
-                      {"exponent_of_particle_steps", or_null(exponent(curve, particle_steps))},
-                      {"points", points}});
-  }
-  for (const Point* p : front(result.curves(), particle_steps)) best.push_back(place(p));
+  json goals = json::array(), qualities = json::array();
   for (const double goal : k_goals)
     goals.push_back({{"error", goal},
                      {"by_particle_steps", place(cheapest(result.curves(), goal, particle_steps))},
@@ -195,8 +160,7 @@ json as_json(const CaseResult& result) {
   const json fingerprint = c.scene.empty() ? json(nullptr) : json(scene_fingerprint(read_scene(scene_path(c.scene))));
   return {{"case", c.name},         {"scene_fingerprint", fingerprint},
           {"measured", c.measured}, {"scene", c.scene},
-          {"cells_of", c.cells_of}, {"curves", curves},
-          {"front", best},          {"goals", goals},
+          {"cells_of", c.cells_of}, {"goals", goals},
           {"qualities", qualities}, {"conclusions", conclusions(result)}};
 }
 

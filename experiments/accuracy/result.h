@@ -64,6 +64,7 @@ std::string brief(double number);
 /// "3.2 %", as brief().
 std::string percent(double share);
 
+/// What the report and `bake info` tell; the measurements themselves stand in the raw data.
 nlohmann::json as_json(const CaseResult& result);
 nlohmann::json as_json(const MachineSpeed& speed);  ///< null if it is not known
 /// Sentences about a case, from its numbers.

@@ -8,7 +8,7 @@
 #include <ctime>
 #include <stdexcept>
 
-#include "experiments/common/scene_builder.h"
+#include "experiments/common/study_scene.h"
 #include "reference/compare/recipe_of.h"
 #include "solver/core/errors.h"
 #include "solver/effects/all_effects.h"
@@ -166,6 +166,18 @@ Found run(const Scene& scene, By by, double end_s, const Work& work, const Nodal
   }
   if (running) running->count(found);
   return found;
+}
+
+Found simulate(const Scene& scene, By by, const std::vector<double>& times, const Compare& compare, const NodalForce& force) {
+  const auto work = [&](Running& running, Found& found) {
+    std::vector<Snapshot> seen;
+    for (const double t : times) {
+      if (t > 0) running.advance(t, found);
+      seen.push_back(running.snapshot());
+    }
+    found.error = compare(seen);
+  };
+  return run(scene, by, times.back(), work, force);
 }
 
 }  // namespace bake::studies::accuracy

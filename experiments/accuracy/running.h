@@ -35,4 +35,10 @@ using Work = std::function<void(Running&, Found&)>;
 /// The textbook takes the steps that the solver chooses; it knows no emitters and no `force`. Throws InputError.
 Found run(const Scene& scene, By by, double end_s, const Work& work, const NodalForce& force = {});
 
+/// Snapshots at the times that were asked for -> the relative error.
+using Compare = std::function<double(const std::vector<Snapshot>&)>;
+
+/// The same through `times` (rising; 0 is the start), for an exact solution.
+Found simulate(const Scene& scene, By by, const std::vector<double>& times, const Compare& compare, const NodalForce& force = {});
+
 }  // namespace bake::studies::accuracy

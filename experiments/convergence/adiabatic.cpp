@@ -21,7 +21,7 @@ std::vector<Errors> adiabatic(bool quick) {
   e.refinements = quick ? std::vector<double>{16, 32, 64} : std::vector<double>{16, 32, 64, 128, 256};
   for (const double n : e.refinements) {
     Bar bar;
-    bar.effects = "\"motion\", \"heat\", \"elasticity\"";
+    bar.effects = "motion, heat, elasticity";
     bar.material = fmt::format(
         "young_modulus_Pa = 1\npoisson_ratio = 0\ninitial_temperature_C = 20\nexpansion_per_K = {}\nspecific_heat_J_per_kgK = {}\n"
         "conductivity_W_per_mK = 0\n",

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "experiments/common/scene_builder.h"
+#include "experiments/common/study_scene.h"
 #include "experiments/convergence/bar.h"
 #include "experiments/convergence/cases.h"
 #include "experiments/convergence/manufactured.h"
@@ -106,22 +106,17 @@ bool in_cube(const Point& x) {
 /// Between walls that slip; or, `beyond` cells deep, in material that is held to the exact velocity.
 double error(double cells, bool held, int rows) {
   constexpr double t = 1;
-  SceneBuilder setting;
-  setting.effects = "\"motion\", \"elasticity\"";
+  StudyScene setting;
+  setting.effects = "motion, elasticity";
   const double dx = setting.dx = 1 / cells, beyond = held ? 2 * dx : 0, air = held ? 2 * dx : 0;
-  setting.end_s = t;
+  setting.frame_s = t;
   for (std::size_t i = 0; i < 3; ++i) setting.low[i] = -beyond - air, setting.high[i] = 1 + beyond + air;
   setting.faces = "x_min = \"slip\"\nx_max = \"slip\"\ny_min = \"slip\"\ny_max = \"slip\"\nz_min = \"slip\"\nz_max = \"slip\"\n";
   setting.time = fmt::format("safety = 1\nlargest_step_s = {:.17g}", dx / 4);
-  setting.material = elastic::material;
-  setting.tables = fmt::format(R"(
-[[body]]
-material = "dough"
-particles_per_cell = {0}
-jitter = 0
-shape = {{ box = {{ centre_m = [0.5, 0.5, 0.5], half_extents_m = [{1:.17g}, {1:.17g}, {1:.17g}] }} }}
-)",
-                               rows * rows * rows, 0.5 + beyond);
+  setting.material += elastic::material;
+  setting.particles_per_cell = rows * rows * rows;
+  setting.shape = fmt::format("box = {{ centre_m = [0.5, 0.5, 0.5], half_extents_m = [{0:.17g}, {0:.17g}, {0:.17g}] }}", 0.5 + beyond);
+  setting.body = "jitter = 0";
   const auto s = setting.begin();
   s->set_force([=](const Point& x, const Vector3& v, double time, double dt) {
     return held && !in_cube(x) ? velocity(x, time + dt / 2) : v + dt * body_force(x, time);

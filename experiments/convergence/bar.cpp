@@ -35,17 +35,17 @@ std::string bodies(const Bar& bar) {
 
 }  // namespace
 
-SceneBuilder Bar::setting() const {
+StudyScene Bar::setting() const {
   const double width = across * dx();
-  SceneBuilder setting;
+  StudyScene setting;
   setting.effects = effects;
-  setting.end_s = end_s;
+  setting.frame_s = end_s;
   setting.dx = dx();
   setting.low = {-(before + air) * dx(), 0, 0};
   setting.high = {1 + (after + air) * dx(), width, width};
   setting.faces = fmt::format("x_min = {0}\nx_max = {0}\ny_min = \"slip\"\ny_max = \"slip\"\nz_min = \"slip\"\nz_max = \"slip\"\n", faces);
   setting.time = time;
-  setting.material = material;
+  setting.material += material;
   setting.tables = tables + bodies(*this);
   setting.overrides = overrides;
   return setting;

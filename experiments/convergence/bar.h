@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/common/scene_builder.h"
+#include "experiments/common/study_scene.h"
 
 namespace bake::studies {
 
@@ -21,7 +21,7 @@ struct Bar {
   int before = 0, after = 0;                        ///< cells that the body reaches beyond x = 0 and x = 1, into what holds it there
   int air = 0;                                      ///< cells between the body and the domain's faces along x; 0: it touches them
   double end_s = 1;                                 ///< the first sample
-  std::string effects = "\"heat\"";                 ///< in quotes, with commas
+  std::string effects = "heat";                     ///< in quotes, with commas
   std::string material;                             ///< keys of the material besides density 1 kg/m^3
   std::string tables;                               ///< further tables
   std::string time = "safety = 1";                  ///< keys of [time]
@@ -30,7 +30,7 @@ struct Bar {
   std::vector<std::string> overrides = {};          ///< `key=value`, as for parse_scene
 
   double dx() const { return 1.0 / cells; }
-  SceneBuilder setting() const;
+  StudyScene setting() const;
   std::unique_ptr<Simulation> begin() const { return setting().begin(); }
 };
 

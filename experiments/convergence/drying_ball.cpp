@@ -12,7 +12,7 @@
 #include <numeric>
 #include <vector>
 
-#include "experiments/common/scene_builder.h"
+#include "experiments/common/study_scene.h"
 #include "experiments/convergence/cases.h"
 #include "experiments/convergence/exact.h"
 
@@ -67,10 +67,10 @@ Dried dry_in_shells() {
   return {1 - sum(water) / first_water, sum(heat) / first_heat - 1};
 }
 
-SceneBuilder ball(double cells) {
-  SceneBuilder setting = ball_in_air::setting(cells, k_conductivity);
-  setting.effects = "\"heat\", \"water\"";
-  setting.end_s = k_duration;
+StudyScene ball(double cells) {
+  StudyScene setting = ball_in_air::setting(cells, k_conductivity);
+  setting.effects = "heat, water";
+  setting.frame_s = k_duration;
   setting.time = "";
   setting.threads = omp_get_num_procs();
   setting.material +=

@@ -29,7 +29,7 @@ double share(const Snapshot& now, double speed);
 /// A ball of radius 1 m with rho c = 1 J/(m^3 K), at 1 C, in air at 0 C that takes 1 W/(m^2 K): Bi = 1 / `conductivity_W_per_mK`.
 namespace ball_in_air {
 inline constexpr Point centre{0.011, -0.017, 0.023};  ///< on no plane of the grid
-SceneBuilder setting(double cells_in_radius, double conductivity_W_per_mK);
+StudyScene setting(double cells_in_radius, double conductivity_W_per_mK);
 }  // namespace ball_in_air
 
 }  // namespace bake::studies

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "experiments/common/scene_builder.h"
+#include "experiments/common/study_scene.h"
 #include "experiments/convergence/cases.h"
 
 namespace bake::studies {
@@ -22,13 +22,13 @@ std::vector<Errors> free_fall(bool) {
   velocity.refined = place.refined = "steps";
   velocity.refinements = place.refinements = {20, 40, 80};
   for (const double steps : place.refinements) {
-    SceneBuilder setting;
-    setting.effects = "\"motion\", \"elasticity\"";
-    setting.end_s = t;
+    StudyScene setting;
+    setting.effects = "motion, elasticity";
+    setting.frame_s = t;
     setting.dx = 0.0625;
     setting.time = fmt::format("largest_step_s = {:.17g}", t / (steps - 0.5));
-    setting.motion = fmt::format("gravity_m_per_s2 = [0, 0, {}]", -g);
-    setting.material = "young_modulus_Pa = 1e-3\n";
+    setting.gravity = fmt::format("[0, 0, {}]", -g);
+    setting.material += "young_modulus_Pa = 1e-3\n";
     setting.tables = "[[body]]\nmaterial = \"dough\"\nshape = { box = { centre_m = [0, 0, 0.3], half_extents_m = [0.2, 0.2, 0.2] } }\n";
     const auto s = setting.begin();
     const Snapshot first = s->snapshot();

@@ -20,7 +20,7 @@ constexpr double k_middle = 0.5, k_swing = 1e-6;  // the diffusivity K theta s i
 
 Bar bar_at_one_degree(double diffusivity) {
   Bar bar;
-  bar.effects = "\"water\"";
+  bar.effects = "water";
   bar.material =
       fmt::format("initial_temperature_C = 1\ninitial_saturation = {}\nwater_density_kg_per_m3 = 1\ndiffusivity_m2_per_sK = {}\n", k_middle,
                   diffusivity);

@@ -20,7 +20,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "experiments/common/scene_builder.h"
+#include "experiments/common/study_scene.h"
 #include "experiments/convergence/cases.h"
 
 namespace bake::studies {
@@ -83,15 +83,15 @@ from_s = {}
 /// evenly, and free of stress along z: nu is that of both. Then walls hold it where it is; at the sides it slips.
 Waves yielding(int cells, double e, double sign) {
   const double dx = 1. / cells, length = k_length * std::exp(e);
-  SceneBuilder setting;
-  setting.effects = "\"motion\", \"elasticity\"";
-  setting.end_s = k_pressed;
+  StudyScene setting;
+  setting.effects = "motion, elasticity";
+  setting.frame_s = k_pressed;
   setting.dx = dx;
   setting.low = {-3 * dx, 0, -k_depth - 3 * dx};
   setting.high = {k_length + 1 + 3 * dx, dx, 1 + 4 * dx};
   setting.faces = "y_min = \"slip\"\ny_max = \"slip\"\n";
   setting.time = "safety = 0.9";
-  setting.material = fmt::format("young_modulus_Pa = 1\npoisson_ratio = {}\n", nu);
+  setting.material += fmt::format("young_modulus_Pa = 1\npoisson_ratio = {}\n", nu);
   setting.tables =
       fmt::format("[[material]]\nname = \"film\"\ndensity_kg_per_m3 = 1\nyoung_modulus_Pa = {}\npoisson_ratio = {}\n", Y_f, nu) +
       body("dough", length, dx, -k_depth, 0) + body("film", length, dx, 0, 1) + wall("slip", {0, 0, 0}, {1, 0, 0}) +

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/convergence/manufactured.h"
 
-#include "experiments/common/scene_builder.h"
+#include "experiments/common/study_scene.h"
 #include "experiments/convergence/bar.h"
 
 namespace bake::studies {

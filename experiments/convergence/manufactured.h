@@ -5,7 +5,7 @@
 
 #include <functional>
 
-#include "experiments/common/scene_builder.h"
+#include "experiments/common/study_scene.h"
 #include "solver/boundary/shape.h"
 #include "solver/run/simulation.h"
 
@@ -39,7 +39,7 @@ bool in_annulus(const Point& x);
 inline constexpr double amplitude = 0.3;
 inline constexpr double furthest_s = 0.5;  ///< then the rings have turned furthest and stand
 /// One cell thick, with `cells` in a metre. With free rims; or `held`, in material that has the exact velocity beyond them.
-SceneBuilder setting(double cells, bool held);
+StudyScene setting(double cells, bool held);
 NodalForce force(bool held);
 }  // namespace vortex
 

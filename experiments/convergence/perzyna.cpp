@@ -45,7 +45,7 @@ double exact_stress(const Norm& norm) {
 /// Differences of q from the exact one in the middle, relative.
 std::vector<double> stress_errors(const Norm& norm, double cells, int rows) {
   Bar bar;
-  bar.effects = "\"motion\", \"elasticity\", \"plasticity\"";
+  bar.effects = "motion, elasticity, plasticity";
   bar.cells = static_cast<int>(cells);
   bar.rows = rows;
   bar.air = 4;

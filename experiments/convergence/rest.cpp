@@ -18,22 +18,17 @@ constexpr double k_gas_constant = 8.314, k_atmosphere = 101325;  // moles are gi
 
 /// A cube that starts at k_hot and swings until PIC has damped it.
 Snapshot settled_cube(double cells, const char* effects, const std::string& material, const std::string& tables, double end_s) {
-  SceneBuilder setting;
+  StudyScene setting;
   setting.effects = effects;
   setting.dx = 1 / cells;
-  setting.end_s = end_s;
+  setting.frame_s = end_s;
   setting.time = "safety = 0.5";
-  setting.motion = "gravity_m_per_s2 = [0, 0, 0]\ntransfer = \"pic\"\n";
-  setting.material =
+  setting.motion = "transfer = \"pic\"";
+  setting.material +=
       fmt::format("initial_temperature_C = {}\nspecific_heat_J_per_kgK = 1000\nconductivity_W_per_mK = 0\n", k_cold) + material;
-  setting.tables = tables + fmt::format(R"(
-[[body]]
-material = "dough"
-particles_per_cell = 8
-temperature_C = {}
-shape = {{ box = {{ half_extents_m = [0.5, 0.5, 0.5] }} }}
-)",
-                                        k_hot);
+  setting.tables = tables;
+  setting.shape = "box = { half_extents_m = [0.5, 0.5, 0.5] }";
+  setting.body = fmt::format("temperature_C = {}", k_hot);
   const auto s = setting.begin();
   run_to(*s, end_s);
   return s->snapshot();
@@ -59,8 +54,8 @@ std::vector<Errors> thermal_strain(bool quick) {
   Errors noise = at_rest("ln J against 3 alpha (theta - theta_0), rms", 5e-3,
                          "particle noise: what of the first swing the particles keep where the nodes see none of it", quick);
   for (const double n : middle.refinements) {
-    const Snapshot now = settled_cube(n, "\"motion\", \"heat\", \"elasticity\"",
-                                      fmt::format("young_modulus_Pa = 1\nexpansion_per_K = {}\n", alpha), "", 100);
+    const Snapshot now =
+        settled_cube(n, "motion, heat, elasticity", fmt::format("young_modulus_Pa = 1\nexpansion_per_K = {}\n", alpha), "", 100);
     const auto &J = now["volume_ratio"], &theta = now["temperature"];
     std::vector<double> error;
     for (std::size_t i = 0; i < J.size(); ++i) error.push_back(std::log(J[i]) / (3 * alpha * (theta[i] - k_cold)) - 1);
@@ -78,7 +73,7 @@ std::vector<Errors> open_pores(bool quick) {
                 "the discrete solution, but for the elastic stress that the yield stress of 1e-5 of the atmosphere lets stand", quick);
     for (const double n : e.refinements) {
       const Snapshot now =
-          settled_cube(n, "\"motion\", \"heat\", \"elasticity\", \"plasticity\", \"leavening\"",
+          settled_cube(n, "motion, heat, elasticity, plasticity, leavening",
                        fmt::format("young_modulus_Pa = 1\ninitial_porosity = {}\nyield_stress_Pa = 1e-5\nproduction_mol_per_kgs = {}\n"
                                    "peak_temperature_C = {}\nleavener_mol_per_m3 = {}\n",
                                    k_pores, leavener, k_hot, k_leavener),
@@ -108,7 +103,7 @@ std::vector<Errors> closed_pores(bool quick) {
   e.refinements = quick ? std::vector<double>{32, 64} : std::vector<double>{32, 64, 128};
   for (const double n : e.refinements) {
     Bar bar;
-    bar.effects = "\"motion\", \"heat\", \"elasticity\", \"plasticity\", \"leavening\"";
+    bar.effects = "motion, heat, elasticity, plasticity, leavening";
     bar.cells = static_cast<int>(n);
     bar.air = bar.cells / 4;
     bar.end_s = t;

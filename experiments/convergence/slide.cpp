@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "experiments/common/scene_builder.h"
+#include "experiments/common/study_scene.h"
 #include "experiments/convergence/cases.h"
 
 namespace bake::studies {
@@ -17,26 +17,19 @@ constexpr double k_sliding_s = 1, k_angle = 30 * std::numbers::pi / 180;  // [s]
 
 /// A stiff block on the domain's floor, half a metre long; gravity is tilted instead of the floor.
 std::unique_ptr<Simulation> block(double cells, double friction, double speed, const char* transfer = "apic") {
-  SceneBuilder setting;
-  setting.effects = "\"motion\", \"elasticity\"";
+  StudyScene setting;
+  setting.effects = "motion, elasticity";
   setting.dx = 0.5 / cells;
-  setting.end_s = k_sliding_s;
+  setting.frame_s = k_sliding_s;
   setting.low = {-0.5, -0.5, 0};
   setting.high = {1.5, 0.5, 1};
   setting.faces = fmt::format("friction = {}\n", friction);
   setting.time = "safety = 0.5";
-  setting.motion =
-      fmt::format("gravity_m_per_s2 = [{:.17g}, 0, {:.17g}]\ntransfer = \"{}\"\n", std::sin(k_angle), -std::cos(k_angle), transfer);
-  setting.material = "young_modulus_Pa = 100\npoisson_ratio = 0.3\n";
-  setting.tables = fmt::format(R"(
-[[body]]
-material = "dough"
-particles_per_cell = 8
-jitter = 0
-velocity_m_per_s = [{}, 0, 0]
-shape = {{ box = {{ centre_m = [0, 0, 0.125], half_extents_m = [0.25, 0.25, 0.125] }} }}
-)",
-                               speed);
+  setting.gravity = fmt::format("[{:.17g}, 0, {:.17g}]", std::sin(k_angle), -std::cos(k_angle));
+  setting.motion = fmt::format("transfer = \"{}\"", transfer);
+  setting.material += "young_modulus_Pa = 100\npoisson_ratio = 0.3\n";
+  setting.shape = "box = { centre_m = [0, 0, 0.125], half_extents_m = [0.25, 0.25, 0.125] }";
+  setting.body = fmt::format("jitter = 0\nvelocity_m_per_s = [{}, 0, 0]", speed);
   return setting.begin();
 }
 

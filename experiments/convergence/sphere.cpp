@@ -10,23 +10,15 @@
 
 namespace bake::studies {
 
-SceneBuilder ball_in_air::setting(double cells_in_radius, double conductivity_W_per_mK) {
-  SceneBuilder setting;
+StudyScene ball_in_air::setting(double cells_in_radius, double conductivity_W_per_mK) {
+  StudyScene setting;
   setting.dx = 1 / cells_in_radius;
   setting.low = {-2, -2, -2};
   setting.high = {2, 2, 2};
-  setting.material =
+  setting.material +=
       fmt::format("initial_temperature_C = 1\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = {}\n", conductivity_W_per_mK);
-  setting.tables = fmt::format(R"(
-[oven]
-temperature_C = 0
-heat_transfer_coefficient_W_per_m2K = 1
-[[body]]
-material = "dough"
-particles_per_cell = 8
-shape = {{ sphere = {{ centre_m = [{}, {}, {}], radius_m = 1 }} }}
-)",
-                               centre[0], centre[1], centre[2]);
+  setting.tables = "[oven]\ntemperature_C = 0\nheat_transfer_coefficient_W_per_m2K = 1\n";
+  setting.shape = fmt::format("sphere = {{ centre_m = [{}, {}, {}], radius_m = 1 }}", centre[0], centre[1], centre[2]);
   return setting;
 }
 
@@ -46,9 +38,9 @@ std::vector<Errors> lumped_sphere(bool quick) {
   rate.refined = area.refined = "cells in the radius";
   rate.refinements = area.refinements = quick ? std::vector<double>{4, 6, 9, 13} : std::vector<double>{4, 6, 9, 13, 20};
   for (const double n : rate.refinements) {
-    SceneBuilder setting = ball_in_air::setting(n, 1 / biot);
+    StudyScene setting = ball_in_air::setting(n, 1 / biot);
     setting.threads = omp_get_num_procs();
-    setting.end_s = dt;
+    setting.frame_s = dt;
     setting.tables += "[heat]\nintegrator = \"backward_euler\"\nimplicit_step_factor = 1e9\n";
     const auto s = setting.begin();
     const double before = s->total(total::heat_content), volume = s->total(total::volume);

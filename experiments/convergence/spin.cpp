@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "experiments/common/scene_builder.h"
+#include "experiments/common/study_scene.h"
 #include "experiments/convergence/cases.h"
 
 namespace bake::studies {
@@ -42,25 +42,18 @@ std::vector<Errors> spinning_disc(bool quick) {
   angular.refined = inertia.refined = "cells in the radius";
   angular.refinements = inertia.refinements = quick ? std::vector<double>{4, 6, 8, 12} : std::vector<double>{4, 6, 8};
   for (const double n : inertia.refinements) {
-    SceneBuilder setting;
-    setting.effects = "\"motion\", \"elasticity\"";
+    StudyScene setting;
+    setting.effects = "motion, elasticity";
     const double dx = setting.dx = 1 / n;
     const double sample = period / 100;  // some seven to a swing of the disc
-    setting.end_s = sample;
+    setting.frame_s = sample;
     setting.low = {-1.5, -1.5, 0};
     setting.high = {1.5, 1.5, dx};
     setting.faces = "z_min = \"slip\"\nz_max = \"slip\"\n";
     setting.time = "safety = 0.5";
-    setting.material = "young_modulus_Pa = 1\npoisson_ratio = 0\n";
-    setting.tables = fmt::format(R"(
-[[body]]
-material = "dough"
-particles_per_cell = 8
-jitter = 0
-angular_velocity_rad_per_s = [0, 0, {}]
-shape = {{ cylinder = {{ from_m = [0, 0, 0], to_m = [0, 0, {:.17g}], radius_m = 1 }} }}
-)",
-                                 omega, dx);
+    setting.material += "young_modulus_Pa = 1\npoisson_ratio = 0\n";
+    setting.shape = fmt::format("cylinder = {{ from_m = [0, 0, 0], to_m = [0, 0, {:.17g}], radius_m = 1 }}", dx);
+    setting.body = fmt::format("jitter = 0\nangular_velocity_rad_per_s = [0, 0, {}]", omega);
     const auto s = setting.begin();
     const double L = s->total(total::angular_momentum, 2), at_first = moment_of_inertia(*s);
     double mean = 0;

@@ -27,21 +27,16 @@ std::string held_side(const char* point, const char* normal) {
 
 /// One cell thick, with two cells beyond each side for the grips.
 std::unique_ptr<Simulation> section(double cells, double end_s) {
-  SceneBuilder setting;
+  StudyScene setting;
   const double dx = setting.dx = 1 / cells;
-  setting.end_s = end_s;
+  setting.frame_s = end_s;
   setting.low = {-2 * dx, -2 * dx, 0};
   setting.high = {1 + 2 * dx, 1 + 2 * dx, dx};
-  setting.material = "initial_temperature_C = 0\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
-  setting.tables = fmt::format(R"(
-[[body]]
-material = "dough"
-particles_per_cell = 8
-jitter = 0
-shape = {{ box = {{ centre_m = [0.5, 0.5, {0:.17g}], half_extents_m = [{1:.17g}, {1:.17g}, {0:.17g}] }} }}
-)",
-                               dx / 2, 0.5 + 2 * dx) +
-                   held_side("[0, 0, 0]", "[1, 0, 0]") + held_side("[1, 0, 0]", "[-1, 0, 0]") + held_side("[0, 0, 0]", "[0, 1, 0]") +
+  setting.material += "initial_temperature_C = 0\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
+  setting.shape =
+      fmt::format("box = {{ centre_m = [0.5, 0.5, {0:.17g}], half_extents_m = [{1:.17g}, {1:.17g}, {0:.17g}] }}", dx / 2, 0.5 + 2 * dx);
+  setting.body = "jitter = 0";
+  setting.tables = held_side("[0, 0, 0]", "[1, 0, 0]") + held_side("[1, 0, 0]", "[-1, 0, 0]") + held_side("[0, 0, 0]", "[0, 1, 0]") +
                    held_side("[0, 1, 0]", "[0, -1, 0]");
   return setting.begin();
 }

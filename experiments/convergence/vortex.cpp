@@ -18,7 +18,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "experiments/common/scene_builder.h"
+#include "experiments/common/study_scene.h"
 #include "experiments/convergence/bar.h"
 #include "experiments/convergence/cases.h"
 #include "experiments/convergence/manufactured.h"
@@ -76,25 +76,20 @@ Vector3 body_force(const Point& x, double t) {
 
 bool in_annulus(const Point& x) { return std::abs(radius(x) - 1) < 0.25; }
 
-SceneBuilder setting(double cells, bool held) {
-  SceneBuilder setting;
-  setting.effects = "\"motion\", \"elasticity\"";
+StudyScene setting(double cells, bool held) {
+  StudyScene setting;
+  setting.effects = "motion, elasticity";
   const double dx = setting.dx = 1 / cells, beyond = held ? 2 * dx : 0;
-  setting.end_s = furthest_s;
+  setting.frame_s = furthest_s;
   setting.low = {-1.5, -1.5, 0};
   setting.high = {1.5, 1.5, dx};
   setting.faces = "z_min = \"slip\"\nz_max = \"slip\"\n";
-  setting.material = elastic::material;
-  setting.tables = fmt::format(R"(
-[[body]]
-material = "dough"
-particles_per_cell = 8
-jitter = 0
-shape = {{ difference = [
+  setting.material += elastic::material;
+  setting.body = "jitter = 0";
+  setting.shape = fmt::format(R"(difference = [
   {{ cylinder = {{ from_m = [0, 0, 0], to_m = [0, 0, {0:.17g}], radius_m = {1:.17g} }} }},
-  {{ cylinder = {{ from_m = [0, 0, {2:.17g}], to_m = [0, 0, {3:.17g}], radius_m = {4:.17g} }} }} ] }}
-)",
-                               dx, 1.25 + beyond, -dx, 2 * dx, 0.75 - beyond);
+  {{ cylinder = {{ from_m = [0, 0, {2:.17g}], to_m = [0, 0, {3:.17g}], radius_m = {4:.17g} }} }} ])",
+                              dx, 1.25 + beyond, -dx, 2 * dx, 0.75 - beyond);
   return setting;
 }
 
@@ -108,8 +103,8 @@ NodalForce force(bool held) {
 namespace {
 
 double error(double cells, bool held, const char* transfer) {
-  SceneBuilder scene = setting(cells, held);
-  scene.motion += fmt::format("\ntransfer = \"{}\"", transfer);
+  StudyScene scene = setting(cells, held);
+  scene.motion = fmt::format("transfer = \"{}\"", transfer);
   scene.time = fmt::format("safety = 1\nlargest_step_s = {:.17g}", scene.dx / 4);
   const auto s = scene.begin();
   s->set_force(force(held));

@@ -19,7 +19,7 @@ constexpr double k_dough_speed = 1e-6;  ///< of the dough, in wave speeds: the s
 
 Bar elastic_bar() {
   Bar bar;
-  bar.effects = "\"motion\", \"elasticity\"";
+  bar.effects = "motion, elasticity";
   bar.material = "young_modulus_Pa = 1\npoisson_ratio = 0\n";
   bar.time = "safety = 0.5";
   return bar;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "experiments/common/scene_builder.h"
+#include "experiments/common/study_scene.h"
 #include "experiments/departures/departures.h"
 #include "solver/core/errors.h"
 #include "solver/effects/plasticity.h"
@@ -14,7 +14,7 @@ namespace bake::studies {
 
 namespace {
 
-constexpr const char* k_dough = R"(
+constexpr const char* k_dough = R"(density_kg_per_m3 = 1
 young_modulus_Pa = 20
 initial_porosity = 0.2
 initial_saturation = 0.2
@@ -24,31 +24,26 @@ specific_heat_J_per_kgK = 1000
 conductivity_W_per_mK = 0
 yield_stress_Pa = 1e-2
 )";
-constexpr const char* k_everything = "\"motion\", \"heat\", \"water\", \"elasticity\", \"plasticity\", \"leavening\"";
 
 /// A ball of one metre in air without exchange, nothing flowing.
-SceneBuilder ball(const char* effects, bool quick) {
-  SceneBuilder setting;
+StudyScene ball(const char* effects, bool quick) {
+  StudyScene setting;
   setting.effects = effects;
   setting.dx = quick ? 0.25 : 0.125;
   setting.low = {-2.5, -2.5, -2.5};
   setting.high = {2.5, 2.5, 2.5};
   setting.time = "safety = 0.5";
+  setting.shape = "sphere = { radius_m = 1 }";
   setting.material = k_dough;
   return setting;
 }
 
-void place_ball(SceneBuilder& setting, const std::string& keys = "", double radius = 1) {
-  setting.tables +=
-      fmt::format("[[body]]\nmaterial = \"dough\"\nparticles_per_cell = 8\n{}\nshape = {{ sphere = {{ radius_m = {} }} }}\n", keys, radius);
-}
-
 /// Gas doubles the volume of a moving ball; no water flows. Returns what is left of the water and of the speed.
 std::pair<double, double> risen(const char* form, bool quick, double& volume_ratio) {
-  SceneBuilder setting = ball(k_everything, quick);
+  StudyScene setting = ball(k_everything, quick);
   setting.material += "production_mol_per_kgs = 2\npeak_temperature_C = 20\n";
   setting.tables = fmt::format("[water]\nform = \"{}\"\n[leavening]\nreference_pressure_Pa = 100\n", form);
-  place_ball(setting, "velocity_m_per_s = [0.05, 0, 0]");
+  setting.body = "velocity_m_per_s = [0.05, 0, 0]";
   const auto s = setting.begin();
   const double water = s->total(total::water_mass), volume = s->total(total::volume);
   run_to(*s, 15);
@@ -59,22 +54,20 @@ std::pair<double, double> risen(const char* form, bool quick, double& volume_rat
 
 /// Mean temperature of a ball of 100 C after a while in air of 20 C.
 double cooled(const char* form, bool quick) {
-  SceneBuilder setting = ball("\"heat\"", quick);
-  setting.material = "initial_temperature_C = 100\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
+  StudyScene setting = ball("heat", quick);
+  setting.material = "density_kg_per_m3 = 1\ninitial_temperature_C = 100\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
   setting.tables =
       fmt::format("[heat]\nheat_transfer_form = \"{}\"\n[oven]\ntemperature_C = 20\nheat_transfer_coefficient_W_per_m2K = 1\n", form);
-  place_ball(setting);
   const auto s = setting.begin();
   run_to(*s, 0.2);
   return s->total(total::temperature) / s->total(total::volume);
 }
 
 double area_found(const char* form, bool quick) {
-  SceneBuilder setting = ball("\"heat\"", quick);
-  setting.material = "specific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
+  StudyScene setting = ball("heat", quick);
+  setting.material = "density_kg_per_m3 = 1\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
   setting.surface = fmt::format("form = \"{}\"", form);
   setting.tables = "[oven]\ntemperature_C = 20\nheat_transfer_coefficient_W_per_m2K = 1\n";
-  place_ball(setting);
   const auto s = setting.begin();
   run_to(*s, 1e-3);
   return s->booked(booked::area) / (4 * M_PI);
@@ -85,14 +78,14 @@ struct Leavened {
   double volume_ratio, plastic_ratio;  ///< mean J and J_P
 };
 Leavened leavened(const char* form, bool quick) {
-  SceneBuilder setting = ball("\"motion\", \"heat\", \"elasticity\", \"plasticity\", \"leavening\"", quick);
+  StudyScene setting = ball("motion, heat, elasticity, plasticity, leavening", quick);
   setting.dx *= 2;  // it may grow
   setting.low = {-6, -6, -6};
   setting.high = {6, 6, 6};
   const double moles = 101325 / (8.314 * (60 + 273.15));  // of one atmosphere in the volume at the start [mol/m^3]
   setting.material += fmt::format("production_mol_per_kgs = {}\npeak_temperature_C = 60\nleavener_mol_per_m3 = {}\n", 20 * moles, moles);
   setting.tables = fmt::format("[leavening]\nform = \"{}\"\n", form);
-  place_ball(setting, "temperature_C = 60");
+  setting.body = "temperature_C = 60";
   const auto s = setting.begin();
   const double volume = s->total(total::volume);
   constexpr double k_burst = 20;
@@ -113,11 +106,10 @@ Leavened leavened(const char* form, bool quick) {
 
 /// Strain that a ball of uniform temperature, the one at which it was made, takes by itself.
 double strain_of_rest(const char* form, bool quick) {
-  SceneBuilder setting = ball("\"motion\", \"heat\", \"elasticity\"", quick);
+  StudyScene setting = ball("motion, heat, elasticity", quick);
   setting.material += "expansion_per_K = 1e-3\n";
-  setting.motion += "\ntransfer = \"pic\"";
+  setting.motion = "transfer = \"pic\"";
   setting.tables = fmt::format("[heat]\nexpansion_form = \"{}\"\n", form);
-  place_ball(setting);
   const auto s = setting.begin();
   const double volume = s->total(total::volume);
   run_to(*s, 5);

@@ -208,14 +208,7 @@ charts::Chart chart_of(const std::vector<Cost>& costs, const std::vector<Influen
   influence.y.range = {low / 2, high * 2};
   influence.rules.push_back({false, 1, ""});
   influence.legend = Legend::below;
-  Chart chart;
-  chart.name = "effects";
-  chart.title = "What each effect costs, and what leaving it out changes";
-  chart.panels = {cost, influence};
-  chart.columns = 1;
-  chart.panel_width_in = 6;
-  chart.panel_height_in = 3.6;
-  return chart;
+  return {"effects", "What each effect costs, and what leaving it out changes", {cost, influence}, 1, 6, 3.6};
 }
 
 }  // namespace

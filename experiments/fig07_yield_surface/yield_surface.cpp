@@ -89,14 +89,12 @@ charts::Chart chart_of(const std::vector<Surface>& surfaces, const std::vector<S
   cap.series = {printed, found};
   cap.legend = charts::Legend::bottom_left;
 
-  charts::Chart chart;
-  chart.name = "yield_surface";
-  chart.title = "Yield surfaces in the plane of pressure and effective stress: ellipses that shrink as porosity grows";
-  chart.panels = {plane, cap};
-  chart.columns = 1;
-  chart.panel_width_in = 5;
-  chart.panel_height_in = 2.3;
-  return chart;
+  return {"yield_surface",
+          "Yield surfaces in the plane of pressure and effective stress: ellipses that shrink as porosity grows",
+          {plane, cap},
+          1,
+          5,
+          2.3};
 }
 
 }  // namespace

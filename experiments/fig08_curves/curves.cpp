@@ -141,14 +141,10 @@ charts::Chart chart_of(const Plasticity::Material& material, const Way& up, cons
   add_ways(viscosity, up, down, &Way::eta, 1e9);
   viscosity.y.range = {{0, 1.15 * material.viscosity_Pa_s[0]}};
   viscosity.legend = charts::Legend::bottom_left;
-  charts::Chart chart;
-  chart.name = "curves";
-  chart.title = "Yield stress and viscosity against temperature; past gelatinisation they keep their values when the dough cools";
-  chart.panels = {yield, closer, viscosity};
-  chart.columns = 3;
-  chart.panel_width_in = 2.35;
-  chart.panel_height_in = 2.2;
-  return chart;
+  return {"curves",
+          "Yield stress and viscosity against temperature; past gelatinisation they keep their values when the dough cools",
+          {yield, closer, viscosity},
+          3};
 }
 
 }  // namespace

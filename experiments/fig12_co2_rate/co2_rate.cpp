@@ -146,14 +146,11 @@ Computed fig12_co2_rate() {
   computed.numbers.push_back({"produced_gas_error", "1",
                               "largest distance of the gas that the solver makes from the integral, relative to its end, for three widths",
                               off_integral});
-  charts::Chart chart;
-  chart.name = "co2_rate";
-  chart.title = "Rate of the leavening reaction against temperature for several peaks and widths, and the gas made in a warming block";
-  chart.panels = {peaks, widths, gas};
-  chart.columns = 3;
-  chart.panel_width_in = 2.35;
-  chart.panel_height_in = 2.2;
-  computed.charts = {chart};
+  computed.charts = {
+      {"co2_rate",
+       "Rate of the leavening reaction against temperature for several peaks and widths, and the gas made in a warming block",
+       {peaks, widths, gas},
+       3}};
   return computed;
 }
 

@@ -192,17 +192,16 @@ Computed fig14_return_map() {
       {"distance_from_printed_minimiser", "1", "the same with the functional as printed (norm \"quadratic\")",
        std::max(distance_from_minimiser(printed, 0, true), distance_from_minimiser(printed_porous, k_porosity, true))},
   };
-  charts::Chart chart;
-  chart.name = "return_map";
-  chart.title = "Trial stresses and their images under the return mapping: on the yield surface without viscosity, part of the way with it";
-  chart.panels = {panel("(a) $n^p$ = 0, $η$ = 0", inviscid, 0), panel("(b) $n^p$ = 0, $η$ = 3$μ$Δ$t$", viscous, 0),
-                  panel("(c) $n^p$ = 0.3, $η$ = 0", porous, k_porosity),
-                  panel("(d) $n^p$ = 0.3, $η$ = 3$μ$Δ$t$", porous_viscous, k_porosity)};
+  computed.charts = {
+      {"return_map",
+       "Trial stresses and their images under the return mapping: on the yield surface without viscosity, part of the way with it",
+       {panel("(a) $n^p$ = 0, $η$ = 0", inviscid, 0), panel("(b) $n^p$ = 0, $η$ = 3$μ$Δ$t$", viscous, 0),
+        panel("(c) $n^p$ = 0.3, $η$ = 0", porous, k_porosity), panel("(d) $n^p$ = 0.3, $η$ = 3$μ$Δ$t$", porous_viscous, k_porosity)}}};
+  charts::Chart& chart = computed.charts[0];
   chart.panels[0].marks = {{0.5, 2, "trial", charts::Side::right, false, charts::palette(0)},
                            {0.5, 1, "image", charts::Side::below, false, charts::palette(1)},
                            {-1.2, 1, "yield surface", charts::Side::below, false, "#808080"}};
   chart.panel_height_in = 2.0;
-  computed.charts = {chart};
   return computed;
 }
 

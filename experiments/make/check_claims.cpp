@@ -82,8 +82,10 @@ nlohmann::json json_list(const std::vector<T>& list) {
 std::vector<ClaimVerdict> check_claims(const FigurePaths& paths, const Computed& computed) {
   Measured measured(paths, computed);
   std::vector<ClaimVerdict> verdicts;
-  for (const Claim& claim : paths.figure.claims)
+  for (const Claim& claim : paths.figure.claims) {
+    if (!claim.is_judged_at(paths.quality())) continue;
     for (ClaimVerdict& v : judge(claim, words_of(claim, computed), std::ref(measured))) verdicts.push_back(std::move(v));
+  }
   return verdicts;
 }
 

@@ -106,7 +106,7 @@ Figure read_figure(const fs::path& file, const ComputedNames& computed) {
   const Document document{file.string(), file.parent_path()};
   const toml::table table = parse_toml(read_text_file(file), document.name);
   const SceneEntry root(document, table);
-  root.refuse_unknown({"title", "shows", "run", "surface", "picture", "chart", "claim"});
+  root.refuse_unknown({"title", "shows", "run", "surface", "picture", "chart", "claim", "blessed"});
   Figure figure;
   figure.file = file;
   figure.title = required_text(root, "title");

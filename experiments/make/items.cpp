@@ -54,13 +54,19 @@ void check_other(const SceneEntry& entry, const Items& items, const OtherExperim
     entry.complain_at("experiment", fmt::format("found '{}', allowed: a folder in experiments", other.experiment));
 }
 
-/// Checks that every experiment belongs to an item or has a stated purpose.
+/// Sources alone, of studies and of what makes figures, are no experiment.
+bool has_scene_or_figure(const fs::path& folder) {
+  return std::any_of(fs::directory_iterator(folder), {}, [](const auto& file) { return file.path().extension() == ".toml"; });
+}
+
+/// Every experiment belongs to an item or has a stated purpose.
 void check_experiments(const SceneEntry& root, const Items& items) {
   std::set<std::string> known;
   for (const Item& item : items.items) known.insert(item.experiment);
   for (const OtherExperiment& other : items.others) known.insert(other.experiment);
   for (const auto& entry : fs::directory_iterator(items.root / "experiments"))
-    if (const std::string folder = entry.path().filename().string(); entry.is_directory() && !known.contains(folder))
+    if (const std::string folder = entry.path().filename().string();
+        entry.is_directory() && has_scene_or_figure(entry.path()) && !known.contains(folder))
       root.complain(fmt::format("found experiments/{}, which no [[item]] or [[other]] names", folder));
 }
 

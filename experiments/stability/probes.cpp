@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "experiments/common/scene_builder.h"
+#include "experiments/common/study_scene.h"
 #include "experiments/stability/stability.h"
 #include "solver/core/errors.h"
 
@@ -15,22 +15,22 @@ constexpr int k_steps = 300;
 
 /// A cube of six cells in two halves that differ by a jump of whatever the map is about.
 struct Cube {
-  std::string effects, material, motion = "gravity_m_per_s2 = [0, 0, 0]", tables, kernel = "quadratic";
+  std::string effects, material, motion, tables, kernel = "quadratic";
   std::string left, right;  ///< keys of the two halves
   double dx = 0.1;
   int particles_per_cell = 8;
 
   std::unique_ptr<Simulation> begin(double safety) const {
-    SceneBuilder setting;
+    StudyScene setting;
     setting.effects = effects;
-    setting.end_s = 1e6;
+    setting.frame_s = 1e6;
     setting.dx = dx;
     setting.low = {-10 * dx, -10 * dx, -10 * dx};
     setting.high = {10 * dx, 10 * dx, 10 * dx};
     setting.kernel = kernel;
     setting.time = fmt::format("safety = {}\ncfl = 0.999", safety);
     setting.motion = motion;
-    setting.material = material;
+    setting.material += material;
     setting.tables = tables;
     for (const auto& [side, keys] : {std::pair(-1, left), std::pair(1, right)})
       setting.tables += fmt::format(
@@ -86,7 +86,7 @@ bool keeps_saturations(const Cube& cube, double safety) {
 
 Cube elastic(double E) {
   Cube cube;
-  cube.effects = "\"motion\", \"elasticity\"";
+  cube.effects = "motion, elasticity";
   cube.material = fmt::format("young_modulus_Pa = {}\npoisson_ratio = 0.3\n", E);
   const double speed = 1e-3 * std::sqrt(E);  // far below the wave's
   cube.left = fmt::format("velocity_m_per_s = [{0}, {0}, 0]", speed);
@@ -96,7 +96,7 @@ Cube elastic(double E) {
 
 Cube conducting(double kappa, const char* integrator) {
   Cube cube;
-  cube.effects = "\"heat\"";
+  cube.effects = "heat";
   cube.material = fmt::format("specific_heat_J_per_kgK = 1\nconductivity_W_per_mK = {}\n", kappa);
   cube.tables = fmt::format("[heat]\nintegrator = \"{}\"\nimplicit_step_factor = 1\n", integrator);
   cube.left = "temperature_C = 0";
@@ -106,7 +106,7 @@ Cube conducting(double kappa, const char* integrator) {
 
 Cube diffusing(double K) {
   Cube cube;
-  cube.effects = "\"water\"";
+  cube.effects = "water";
   cube.material = fmt::format("diffusivity_m2_per_sK = {}\nwater_density_kg_per_m3 = 1\ninitial_saturation = 0.2\n", K);
   cube.left = "saturation = 0.38";  // a small jump: the diffusivity, K theta s, is nearly the same everywhere
   cube.right = "saturation = 0.4";
@@ -116,7 +116,7 @@ Cube diffusing(double K) {
 /// Soft solid, stiff pores: the gas alone sets the step.
 Cube leavened(double p_ref) {
   Cube cube = elastic(1e-3 * p_ref);
-  cube.effects = "\"motion\", \"heat\", \"elasticity\", \"plasticity\", \"leavening\"";
+  cube.effects = "motion, heat, elasticity, plasticity, leavening";
   cube.material += "initial_porosity = 0.3\nyield_stress_Pa = 1e9\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 0\n";
   cube.tables = fmt::format("[leavening]\nreference_pressure_Pa = {}\n", p_ref);
   return cube;
@@ -159,7 +159,7 @@ std::vector<Probe> all_probes(bool quick) {
       const auto of = [&](double E) {
         Cube cube = elastic(E);
         cube.kernel = kernel;
-        cube.motion += fmt::format("\ntransfer = \"{}\"", transfer);
+        cube.motion = fmt::format("transfer = \"{}\"", transfer);
         return cube;
       };
       for (const double E : quick ? std::vector{1e2} : std::vector{1e2, 1e4, 1e6}) add(map, "young_modulus_Pa", E, of(E), keeps_energy);

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "experiments/common/order.h"
-#include "experiments/common/scene_builder.h"
+#include "experiments/common/study_scene.h"
 #include "experiments/surface/surface.h"
 
 namespace bake::studies {
@@ -36,22 +36,16 @@ const Body k_bodies[] = {
 };
 
 double area_found(const Body& body, const char* form, double particles_per_cell, double cells) {
-  SceneBuilder setting;
+  StudyScene setting;
   setting.threads = omp_get_num_procs();
   setting.dx = 1 / cells;
   setting.low = {-2, -2, -2};
   setting.high = {2, 2, 2};
   setting.surface = fmt::format("form = \"{}\"\n", form);
-  setting.material = "specific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 0\n";
-  setting.tables = fmt::format(R"(
-[oven]
-heat_transfer_coefficient_W_per_m2K = 1
-[[body]]
-material = "dough"
-particles_per_cell = {}
-shape = {{ {} }}
-)",
-                               particles_per_cell, body.shape);
+  setting.material += "specific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 0\n";
+  setting.tables = "[oven]\nheat_transfer_coefficient_W_per_m2K = 1\n";
+  setting.particles_per_cell = particles_per_cell;
+  setting.shape = body.shape;
   return setting.begin()->booked(booked::area);
 }
 

@@ -30,7 +30,8 @@ std::vector<SceneFile> scenes_in(const fs::path& experiments) {
   for (const auto& experiment : fs::directory_iterator(experiments, ignored)) {
     if (!experiment.is_directory(ignored)) continue;
     for (const auto& file : fs::directory_iterator(experiment, ignored)) {
-      if (file.path().extension() != ".toml" || file.path().filename() == "figure.toml") continue;
+      const fs::path name = file.path().filename();
+      if (name.extension() != ".toml" || name == "figure.toml" || name == "claims.toml") continue;
       found.push_back({experiment.path().filename().string(), file.path().stem().string(), file.path()});
     }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reference metrics as a user checks and blesses them.
+// Claims of one scene as a user checks and blesses them.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -10,13 +10,23 @@
 namespace bake::test {
 namespace {
 
-/// A place with a reference of its small scene, whose dough settles for 0.01 s.
+/// A place with claims of its small scene, whose dough settles for 0.01 s.
 class ACheck : public testing::Test {
  protected:
-  void write_reference(const std::string& bound) const {
-    place.write("dough.json", fmt::format(R"({{"item": "dough", "scene": "dough", "quality": "draft",
-"metrics": [{{"name": "volume_gain", "kind": "analytic", {}, "why": "it is hardly pressed"}}]}})",
-                                          bound));
+  void write_claim(const std::string& bound, const std::string& more = "") const {
+    place.write("experiments/fig01_dough/claims.toml", fmt::format(R"(title = "Dough"
+shows = "it rests"
+[[run]]
+name = "dough"
+scene = "dough"
+[[claim]]
+metric = "volume_gain"
+of = "dough"
+{}
+kind = "analytic"
+why = "it is hardly pressed"
+{})",
+                                                                   bound, more));
   }
   void expect_refused(const std::string& arguments, const std::string& reason, const std::string& before = "") const {
     SCOPED_TRACE("bake " + arguments);
@@ -28,35 +38,48 @@ class ACheck : public testing::Test {
   const Workplace place;
 };
 
+constexpr const char* k_file = "experiments/fig01_dough/claims.toml";
+
 TEST_F(ACheck, OfWhatHoldsSucceeds) {
-  write_reference("\"expected\": 1, \"tolerance\": 1e-2");
-  const Outcome outcome = place.bake("check dough.json --quiet");
+  write_claim("expected = 1\ntolerance = 1e-2");
+  const Outcome outcome = place.bake(fmt::format("check {} --quiet", k_file));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  EXPECT_NE(outcome.out.find("1 of 1 metrics hold"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("1 of 1 claims hold"), std::string::npos) << outcome.out;
 }
 
 TEST_F(ACheck, OfWhatDoesNotHoldFailsAndSaysWhy) {
-  write_reference("\"at_least\": 2");
-  const Outcome outcome = place.bake("check dough.json --quiet --out elsewhere");
+  write_claim("at_least = 2");
+  const Outcome outcome = place.bake(fmt::format("check {} --quiet --out elsewhere", k_file));
   EXPECT_EQ(outcome.exit_code, 1) << outcome.out << outcome.err;
   EXPECT_NE(outcome.out.find("MISSED: it is hardly pressed"), std::string::npos) << outcome.out;
   EXPECT_TRUE(std::filesystem::exists(place.folder() / "elsewhere/ledger.csv"));
 }
 
+TEST_F(ACheck, LeavesOutWhatIsClaimedOfAnotherQuality) {
+  write_claim("at_most = 2",
+              "[[claim]]\nmetric = \"height\"\nof = \"dough\"\nexpected = 0\ntolerance = 0\nquality = \"paper\"\n"
+              "kind = \"regression\"\nwhy = \"changed\"\n");
+  const Outcome outcome = place.bake(fmt::format("check {} --quiet", k_file));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("1 of 1 claims hold"), std::string::npos) << outcome.out;
+}
+
 TEST_F(ACheck, OfNothingThatIsKnownIsRefused) {
-  expect_refused("check braed", "unknown item 'braed'; did you mean 'bread'?");
-  expect_refused("check missing.json", "missing.json: cannot open");
-  write_reference("\"at_most\": true");
-  expect_refused("check dough.json", "dough.json: metrics.0.at_most: found true, allowed: a number");
+  expect_refused("check braed", "unknown name 'braed'; did you mean 'bread'?");
+  expect_refused("check missing.toml", "missing.toml: no such file");
+  write_claim("at_most = true");
+  expect_refused(fmt::format("check {}", k_file), "claims.toml:9: claim.0.at_most: found true, allowed: any finite number");
+  write_claim("at_most = 2", "[[run]]\nname = \"more\"\nscene = \"dough\"\n");
+  expect_refused(fmt::format("check {}", k_file), "allowed: one [[run]] without a mesh");
   ASSERT_EQ(place.bake("run dough --quiet --out run").exit_code, 0);
-  expect_refused("check run", "of which there is no reference");
+  expect_refused("check run", "of which nothing is claimed");
 }
 
 TEST_F(ACheck, IsBlessedWithAReasonAndByPeopleOnly) {
-  write_reference("\"at_most\": 2");
-  expect_refused("bless dough.json --why ' '", "--why: found nothing", "env -u CI");
-  expect_refused("bless dough.json --why because", "found CI in the environment", "env CI=1");
-  expect_refused("bless dough.json", "--why is required", "env -u CI");
+  write_claim("at_most = 2");
+  expect_refused(fmt::format("bless {} --why ' '", k_file), "--why: found nothing", "env -u CI");
+  expect_refused(fmt::format("bless {} --why because", k_file), "found CI in the environment", "env CI=1");
+  expect_refused(fmt::format("bless {}", k_file), "--why is required", "env -u CI");
 }
 
 }  // namespace

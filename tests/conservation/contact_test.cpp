@@ -30,16 +30,16 @@ TEST_P(EveryPush, IsBooked) {
   dough.precision = precision;
   dough.gravity = push.gravity;
   dough.body = push.body;
-  dough.domain = push.domain;
+  dough.faces = push.domain;
   dough.tables = push.tables;
-  if (effects == k_everything) dough.dt = 2.5e-4;  // pores that are pressed shut are stiff
-  if (std::string_view(push.name).ends_with("Floor")) dough.ball = "sphere = { centre_m = [0, 0, -0.7], radius_m = 0.25 }";
+  if (effects == k_everything) dough.frame_s = 2.5e-4;  // pores that are pressed shut are stiff
+  if (std::string_view(push.name).ends_with("Floor")) dough.shape = "sphere = { centre_m = [0, 0, -0.7], radius_m = 0.25 }";
   const auto s = dough.begin();
   const Sums start(*s);
   constexpr double k_fastest = 4, k_reach = 2;  // [m/s], [m]
   int steps = 0;
   double pushed = 0;
-  take_steps(*s, static_cast<int>(std::lround(0.06 / dough.dt)), dough.dt, [&] {
+  take_steps(*s, static_cast<int>(std::lround(0.06 / dough.frame_s)), dough.frame_s, [&] {
     const Sums now(*s);
     // impulses of floors and walls go back and forth: what was booked in all bounds what round-off can be
     const double scale = start.mass() * k_fastest;
@@ -88,7 +88,7 @@ TEST(DoughOfScaledInertia, FallsSlowerAndKeepsItsBooks) {
   dough.body = "velocity_m_per_s = [1, 0, 0]";
   const auto s = dough.begin();
   const Sums start(*s);
-  take_steps(*s, 60, dough.dt);
+  take_steps(*s, 60, dough.frame_s);
   const Sums now(*s);
   for (std::size_t d = 0; d < 3; ++d)
     EXPECT_NEAR(now.momentum[d], start.momentum[d] + now.impulse[d] - start.impulse[d], 60e-12 * 4 * start.mass());
@@ -100,9 +100,8 @@ TEST(DoughOfScaledInertia, FallsSlowerAndKeepsItsBooks) {
 Dough thrown(const char* face, const std::string& effects = "motion, elasticity") {
   Dough dough;
   dough.effects = effects;
-  dough.material = Dough::properties();
   dough.body = "velocity_m_per_s = [5, 0, 0]";
-  dough.domain = std::string("x_max = \"") + face + "\"";
+  dough.faces = std::string("x_max = \"") + face + "\"";
   return dough;
 }
 
@@ -148,7 +147,7 @@ TEST(AClosedFace, LosesNobody) {
 TEST(AClosedFace, HoldsAndCountsWhoeverWouldPassIt) {
   Dough dough = thrown("separating");
   // a node inside the face is not stopped: particles less than a step away from it can reach it
-  dough.ball = "box = { centre_m = [0.74, 0, 0], half_extents_m = [0.26, 0.3, 0.3] }";
+  dough.shape = "box = { centre_m = [0.74, 0, 0], half_extents_m = [0.26, 0.3, 0.3] }";
   dough.body = "velocity_m_per_s = [5, 0, 0]\njitter = 1";
   const auto s = dough.begin();
   EXPECT_TRUE(s->advance(0.1, 0.2));
@@ -160,7 +159,7 @@ TEST(AnEmitter, PoursTheMassThatItBooks) {
   for (const char* precision : {"double", "single"}) {
     Dough dough;
     dough.precision = precision;
-    dough.ball = "sphere = { centre_m = [0, 0, -0.7], radius_m = 0.2 }";
+    dough.shape = "sphere = { centre_m = [0, 0, -0.7], radius_m = 0.2 }";
     dough.tables = R"([[emitter]]
 material = "dough"
 shape = { cylinder = { from_m = [0, 0, 0.5], to_m = [0, 0, 0.6], radius_m = 0.2 } }
@@ -194,8 +193,8 @@ TEST(AnEmitter, OverAnOpenFaceBooksWhatComesAndWhatGoes) {
   dough.effects = k_everything;
   dough.material = Dough::properties(Dough::moving_water());
   dough.gravity = "[0, 0, -9.81]";
-  dough.domain = "z_min = \"open\"";
-  dough.ball = "sphere = { centre_m = [0.5, 0.5, 0.5], radius_m = 0.2 }";
+  dough.faces = "z_min = \"open\"";
+  dough.shape = "sphere = { centre_m = [0.5, 0.5, 0.5], radius_m = 0.2 }";
   dough.tables = R"([[emitter]]
 material = "dough"
 shape = { cylinder = { from_m = [0, 0, -0.6], to_m = [0, 0, -0.5], radius_m = 0.2 } }
@@ -232,7 +231,7 @@ motion = [{ time_s = 0 }, { time_s = 0.2, position_m = [0, 0, -0.4] }]
   const auto s = dough.begin();
   const Sums start(*s);
   int steps = 0;
-  take_steps(*s, 100, dough.dt, [&] {
+  take_steps(*s, 100, dough.frame_s, [&] {
     const Sums now(*s);
     const double scale = ++steps * 1e-12 * start.mass() * 4;
     for (std::size_t d = 0; d < 3; ++d) {

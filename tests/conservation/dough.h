@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A lump of dough for tests: a scene in pieces, steps of one length, and the ledger's sums by name.
+// A lump of dough for tests: steps of one length, and the ledger's sums by name.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,68 +14,22 @@
 #include "solver/effects/all_effects.h"
 #include "solver/run/ledger.h"
 #include "solver/run/simulation.h"
-#include "solver/scene/reader.h"
+#include "solver/scene/scene_builder.h"
 
 namespace bake {
 
 /// The default is an elastic ball at rest in the middle of a box, four cells in radius, without gravity.
-struct Dough {
-  std::string effects = "motion, elasticity";
-  std::string precision = "double";
-  double dx = 0.0625;  ///< a power of two: node positions are exact
-  double dt = 1e-3;
-  std::string ball = "sphere = { radius_m = 0.25 }";
-  std::string body;      ///< further keys of the body
-  std::string material;  ///< keys of the material instead of the defaults
-  std::string motion;    ///< keys of [motion]
-  std::string domain;    ///< faces of the domain
-  std::string run;       ///< further keys of [run]
-  std::string tables;    ///< further tables; pores are soft unless [leavening] is among them, water's heat is 40 unless [heat] is
-
-  std::string text() const {
-    std::string names;
-    for (std::size_t at = 0; at < effects.size();) {
-      const std::size_t end = std::min(effects.find(", ", at), effects.size());
-      if (end > at) names += (names.empty() ? "\"" : ", \"") + effects.substr(at, end - at) + "\"";
-      at = end + 2;
-    }
-    return fmt::format(R"(
-effects = [{}]
-[run]
-end_s = 100
-frame_rate_per_s = {:.17g}
-precision = "{}"
-{}
-[grid]
-dx_m = {:.17g}
-{}
-[domain]
-min_m = [-1, -1, -1]
-max_m = [1, 1, 1]
-{}
-[motion]
-{}
-{}
-[[material]]
-name = "dough"
-{}
-[[body]]
-material = "dough"
-particles_per_cell = 8
-shape = {{ {} }}
-{}
-)",
-                       names, 1 / dt, precision, run, dx, grid, domain,
-                       gravity.empty() ? motion : "gravity_m_per_s2 = " + gravity + "\n" + motion, tables,
-                       material.empty() ? properties() : material, ball, body) +
-           (tables.find("[leavening]") == std::string::npos ? "[leavening]\nreference_pressure_Pa = 4000\n" : "") +
-           (tables.find("[heat]") == std::string::npos ? "[heat]\nwater_specific_heat_J_per_kgK = 40\n" : "");
+struct Dough : SceneBuilder {
+  Dough() {
+    effects = "motion, elasticity";
+    dx = 0.0625;  // a power of two: node positions are exact
+    frame_s = 1e-3;
+    shape = "sphere = { radius_m = 0.25 }";
+    material = properties();
+    heat = "water_specific_heat_J_per_kgK = 40";
+    leavening = "reference_pressure_Pa = 4000";  // soft pores
   }
-  Scene scene() const { return parse_scene(text(), "dough.toml", {}); }
   std::unique_ptr<Simulation> begin() const { return Simulation::begin(scene()); }
-
-  std::string gravity = "[0, 0, 0]";
-  std::string grid;  ///< further keys of [grid]
 
   /// Table 2's bread, softer and slower where that saves steps. `extra` comes on top; nothing may be given twice.
   static std::string properties(const std::string& water = "", const std::string& extra = "") {
@@ -101,7 +55,6 @@ production_mol_per_kgs = 0.3
 
 inline constexpr const char* k_flip = "transfer = \"flip\"";
 inline constexpr const char* k_pic = "transfer = \"pic\"";
-inline constexpr const char* k_everything = "motion, heat, water, elasticity, plasticity, leavening";
 
 /// `count` steps of exactly `dt`, each sampled; calls visit() after each.
 template <class Visit>

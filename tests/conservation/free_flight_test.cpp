@@ -27,7 +27,7 @@ class AFreeFlight : public testing::TestWithParam<Flight> {
     dough.effects = flight.effects;
     dough.motion = flight.motion;
     dough.precision = flight.precision;
-    dough.ball = "ellipsoid = { half_axes_m = [0.3, 0.25, 0.2] }";
+    dough.shape = "ellipsoid = { half_axes_m = [0.3, 0.25, 0.2] }";
     dough.body = "velocity_m_per_s = [1.2, -0.5, 0.7]\nangular_velocity_rad_per_s = [5, 4, -5]\ntemperature_C = 40";
     dough.tables = "[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 1000\n";
   }
@@ -39,7 +39,7 @@ TEST_P(AFreeFlight, KeepsSolidAndWater) {
   const Sums start(*s);
   EXPECT_GT(start.solid, 0);
   int steps = 0;
-  take_steps(*s, k_steps, dough.dt, [&] {
+  take_steps(*s, k_steps, dough.frame_s, [&] {
     const Sums now(*s);
     ++steps;
     ASSERT_NEAR(now.solid, start.solid, 1e-13 * start.solid);  // no particle's solid is ever touched: only the order of the sum
@@ -52,7 +52,7 @@ TEST_P(AFreeFlight, KeepsMomentum) {
   const auto s = dough.begin();
   const Sums start(*s);
   int steps = 0;
-  take_steps(*s, k_steps, dough.dt, [&] {
+  take_steps(*s, k_steps, dough.frame_s, [&] {
     const Sums now(*s);
     for (std::size_t d = 0; d < 3; ++d)
       ASSERT_NEAR(now.momentum[d], start.momentum[d], tolerance(++steps) * start.mass() * (k_speed + k_spin * k_radius));
@@ -65,7 +65,7 @@ TEST_P(AFreeFlight, KeepsAngularMomentum) {
   const auto s = dough.begin();
   const Sums start(*s);
   int steps = 0;
-  take_steps(*s, k_steps, dough.dt, [&] {
+  take_steps(*s, k_steps, dough.frame_s, [&] {
     const Sums now(*s);
     const double scale = start.mass() * (k_speed + k_spin * k_radius) * 2 * k_radius;
     for (std::size_t d = 0; d < 3; ++d) ASSERT_NEAR(now.angular[d], start.angular[d], tolerance(++steps) * scale);
@@ -77,7 +77,7 @@ TEST_P(AFreeFlight, KeepsHeatButForWhatIsExchangedAndForTheWorkOfExpansion) {
   const Sums start(*s);
   const bool warm = dough.effects.find("heat") != std::string::npos;
   int steps = 0;
-  take_steps(*s, k_steps, dough.dt, [&] {
+  take_steps(*s, k_steps, dough.frame_s, [&] {
     const Sums now(*s);
     ASSERT_NEAR(now.heat, start.heat + now.heat_gained() - start.heat_gained(),
                 tolerance(++steps) * (start.heat + std::abs(now.exchanged)));
@@ -91,7 +91,7 @@ TEST_P(AFreeFlight, KeepsHeatButForWhatIsExchangedAndForTheWorkOfExpansion) {
 TEST_P(AFreeFlight, NeverGainsEnergyFromPlasticFlow) {
   const auto s = dough.begin();
   double dissipated = 0;
-  take_steps(*s, k_steps, dough.dt, [&] {
+  take_steps(*s, k_steps, dough.frame_s, [&] {
     const Sums now(*s);
     ASSERT_GE(now.dissipated, dissipated);
     dissipated = now.dissipated;
@@ -103,7 +103,6 @@ TEST_P(AFreeFlight, NeverGainsEnergyFromPlasticFlow) {
 TEST_P(AFreeFlight, MakesAsMuchGasAsTheReactionSays) {
   if (dough.effects.find("leavening") == std::string::npos) GTEST_SKIP() << "no leavening";
   dough.tables = "";  // no oven, no conduction, no expansion: the temperature stays
-  dough.material = Dough::properties();
   for (const char* key : {"conductivity_W_per_mK = 100", "expansion_per_K = 1e-4"}) {
     const std::size_t at = dough.material.find(key);
     dough.material.replace(at, std::string(key).size(), std::string(key).substr(0, std::string(key).find('=')) + "= 0");
@@ -111,8 +110,8 @@ TEST_P(AFreeFlight, MakesAsMuchGasAsTheReactionSays) {
   const auto s = dough.begin();
   const double V_0 = Sums(*s).volume;
   int steps = 0;
-  take_steps(*s, k_steps, dough.dt, [&] {
-    const double made = V_0 * 500 * 0.3 * ++steps * dough.dt;  // at 40 C, the peak of the bell curve
+  take_steps(*s, k_steps, dough.frame_s, [&] {
+    const double made = V_0 * 500 * 0.3 * ++steps * dough.frame_s;  // at 40 C, the peak of the bell curve
     ASSERT_NEAR(Sums(*s).gas, made, tolerance(steps) * made + 1e-15);
   });
 }

@@ -11,8 +11,8 @@ Dough baked(const char* integrator, const char* precision = "double") {
   dough.effects = "heat";
   dough.precision = precision;
   dough.body = "temperature_C = 20";
-  dough.tables =
-      fmt::format("[heat]\nintegrator = \"{}\"\n[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 500\n", integrator);
+  dough.heat = fmt::format("integrator = \"{}\"", integrator);
+  dough.tables = "[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 500\n";
   return dough;
 }
 
@@ -34,9 +34,7 @@ TEST(BackwardEuler, BooksTheHeatThatTheOvenGives) {
 
 TEST(BackwardEuler, BooksTheHeatOfAGripThatHoldsATemperature) {
   Dough dough = baked("backward_euler");
-  dough.tables = R"([heat]
-integrator = "backward_euler"
-[[grip]]
+  dough.tables = R"([[grip]]
 shape = { box = { centre_m = [0, 0, 0.25], half_extents_m = [0.3, 0.3, 0.1] } }
 temperature_C = 80
 )";
@@ -52,6 +50,7 @@ temperature_C = 80
 
 TEST(ForwardEuler, BooksTheHeatOfAGripThatHoldsATemperature) {
   Dough dough = baked("forward_euler");
+  dough.heat = Dough().heat;
   dough.tables = "[[grip]]\nshape = { box = { centre_m = [0, 0, 0.25], half_extents_m = [0.3, 0.3, 0.1] } }\ntemperature_C = 80\n";
   const auto s = dough.begin();
   const Sums start(*s);
@@ -63,11 +62,11 @@ TEST(ForwardEuler, BooksTheHeatOfAGripThatHoldsATemperature) {
 TEST(BothEulers, EndAtTheTemperatureOfTheOven) {
   for (const char* integrator : {"forward_euler", "backward_euler"}) {
     Dough dough = baked(integrator);
-    dough.dt = 0.05;
+    dough.frame_s = 0.05;
     dough.dx = 0.125;
     const auto s = dough.begin();
     // Biot number beta R / kappa = 1.25, slowest rate 1.69^2 kappa / (rho c R^2) = 0.46 /s: e^-14 is left after 30 s
-    take_steps(*s, 600, dough.dt);
+    take_steps(*s, 600, dough.frame_s);
     const Sums now(*s);
     // What is left beyond it: differences between particles that the grid hardly sees return slowly (FLIP). The first, steep
     // seconds leave about a hundredth of the rise in single particles, which is a thousandth in their mean.
@@ -78,10 +77,10 @@ TEST(BothEulers, EndAtTheTemperatureOfTheOven) {
   }
 }
 
-double mean_temperature(const char* integrator, double dt, const char* grid = "") {
+double mean_temperature(const char* integrator, double dt, const char* kernel = "quadratic") {
   Dough dough = baked(integrator);
-  dough.grid = grid;
-  dough.dt = dt;
+  dough.kernel = kernel;
+  dough.frame_s = dt;
   const auto s = dough.begin();
   take_steps(*s, static_cast<int>(std::lround(0.064 / dt)), dt);
   return Sums(*s).heat;
@@ -96,19 +95,20 @@ TEST(BothEulers, AgreeAsTheStepGoesToZero) {
 
 // Right after an ordering no block knows yet which nodes its particles touch: a cubic stencil may reach all of its tile.
 TEST(BothEulers, AgreeWithCubicKernels) {
-  const double forward = mean_temperature("forward_euler", 1e-3, "kernel = \"cubic\"");
-  EXPECT_NEAR(mean_temperature("backward_euler", 1e-3, "kernel = \"cubic\"") / forward, 1, 1e-3);
+  const double forward = mean_temperature("forward_euler", 1e-3, "cubic");
+  EXPECT_NEAR(mean_temperature("backward_euler", 1e-3, "cubic") / forward, 1, 1e-3);
   EXPECT_NEAR(mean_temperature("forward_euler", 1e-3) / forward, 1, 1e-2) << "and it is about that of quadratic ones";
 }
 
 TEST(AHeatedCollider, GivesTheHeatThatItBooks) {
   Dough dough = baked("forward_euler");
+  dough.heat = Dough().heat;
   dough.tables = R"([[collider]]
 shape = { half_space = { point_m = [0, 0, -0.25], normal = [0, 0, 1] } }
 temperature_C = 150
 heat_transfer_coefficient_W_per_m2K = 500
 )";
-  dough.ball = "box = { half_extents_m = [0.25, 0.25, 0.25] }";
+  dough.shape = "box = { half_extents_m = [0.25, 0.25, 0.25] }";
   const auto s = dough.begin();
   const Sums start(*s);
   take_steps(*s, 40, 1e-3);
@@ -122,10 +122,9 @@ heat_transfer_coefficient_W_per_m2K = 500
 TEST(HeatAtUniformTemperature, StaysUniformInUniformMotion) {
   Dough dough;
   dough.effects = "motion, heat, water, elasticity";
-  dough.material = Dough::properties();
   dough.body = "velocity_m_per_s = [1, 2, -1.5]";
   const auto s = dough.begin();
-  take_steps(*s, 100, dough.dt);
+  take_steps(*s, 100, dough.frame_s);
   const double low = -s->highest(highest::coldness), high = s->highest(highest::temperature);
   EXPECT_NEAR(low, 20, 20e-10);
   EXPECT_NEAR(high, 20, 20e-10);

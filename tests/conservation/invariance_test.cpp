@@ -231,7 +231,7 @@ Difference turned_and_boosted(double dx, const Rotation& turn, const Vector3& bo
   Dough dough = everything();
   dough.dx = dx;
   const Scene scene = dough.scene();
-  const double time = k_steps * dough.dt;
+  const double time = k_steps * dough.frame_s;
   const auto particles = lattice_ball(scene, dx);
   auto others = turned(turn, particles);
   for (NewParticle& p : others) p.velocity = p.velocity + boost;
@@ -285,7 +285,7 @@ TEST(UniformMotion, DoesNothingToDoughInEquilibrium) {
   dough.material.replace(dough.material.find(key), key.size(), "");
   const auto s = dough.begin();
   const auto start = s->snapshot();
-  take_steps(*s, 100, dough.dt);
+  take_steps(*s, 100, dough.frame_s);
   const auto now = s->snapshot();
   for (std::size_t i = 0; i < now.id.size(); ++i) {
     ASSERT_NEAR(now.velocity[i][0], 3, 1e-9);
@@ -303,15 +303,15 @@ TEST(UniformMotion, DoesNothingToDoughInEquilibrium) {
 TEST(ASnapshot, ShowsEveryParticlesOwnVelocity) {
   Dough dough;
   dough.body = "angular_velocity_rad_per_s = [0, 0, 8]\nvelocity_m_per_s = [3, 1, 0]";
-  dough.dt = 2e-3;
+  dough.frame_s = 2e-3;
   const auto s = dough.begin();
   const std::int64_t orderings = s->counters().orderings;
   auto before = s->snapshot();
-  take_steps(*s, 100, dough.dt, [&] {
+  take_steps(*s, 100, dough.frame_s, [&] {
     const auto now = s->snapshot();
     for (std::size_t i = 0; i < now.id.size(); ++i)  // x moves by dt v, v being the interpolated velocity after the step
       for (std::size_t d = 0; d < 3; ++d)
-        ASSERT_NEAR(now.velocity[i][d], (now.position[i][d] - before.position[i][d]) / dough.dt, 1e-11)
+        ASSERT_NEAR(now.velocity[i][d], (now.position[i][d] - before.position[i][d]) / dough.frame_s, 1e-11)
             << "particle " << i << " at t = " << s->time();
     before = now;
   });
@@ -319,16 +319,16 @@ TEST(ASnapshot, ShowsEveryParticlesOwnVelocity) {
 }
 
 /// Positions after some steps of a ball that falls on the floor, turning.
-std::vector<Vector3> fallen(const std::string& effects, const std::string& material, const std::string& tables = "") {
+std::vector<Vector3> fallen(const std::string& effects, const std::string& material, const std::string& leavening = "") {
   Dough dough;
   dough.effects = effects;
-  dough.ball = "sphere = { centre_m = [0, 0, -0.7], radius_m = 0.25 }";
+  dough.shape = "sphere = { centre_m = [0, 0, -0.7], radius_m = 0.25 }";
   dough.body = "velocity_m_per_s = [0, 0, -3]\nangular_velocity_rad_per_s = [2, 3, 4]";
   dough.gravity = "[0, 0, -9.81]";
   dough.material = "density_kg_per_m3 = 500\nyoung_modulus_Pa = 2e4\n" + material;
-  dough.tables = tables;
+  if (!leavening.empty()) dough.leavening = leavening;
   const auto s = dough.begin();
-  take_steps(*s, 60, dough.dt);
+  take_steps(*s, 60, dough.frame_s);
   return s->snapshot().position;
 }
 
@@ -340,10 +340,9 @@ TEST(AnEffect, WithParametersOfZeroIsAnEffectThatIsNotThere) {
       {"heat", fallen("motion, heat, elasticity", k_heat)},
       {"water", fallen("motion, water, elasticity", "initial_saturation = 0.2\n")},
       {"plasticity", fallen("motion, elasticity, plasticity", k_strong)},
-      {"leavening", fallen("motion, heat, elasticity, plasticity, leavening", std::string(k_heat) + k_strong,
-                           "[leavening]\nreference_pressure_Pa = 1e-30\n")},
-      {"everything",
-       fallen(k_everything, std::string(k_heat) + k_strong + "initial_saturation = 0.2\n", "[leavening]\nreference_pressure_Pa = 1e-30\n")},
+      {"leavening",
+       fallen("motion, heat, elasticity, plasticity, leavening", std::string(k_heat) + k_strong, "reference_pressure_Pa = 1e-30")},
+      {"everything", fallen(k_everything, std::string(k_heat) + k_strong + "initial_saturation = 0.2\n", "reference_pressure_Pa = 1e-30")},
   };
   for (const auto& [name, with] : others) {
     ASSERT_EQ(with.size(), without.size());

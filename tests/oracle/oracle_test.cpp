@@ -80,8 +80,6 @@ std::string words_of(std::string effects) {
   return words;
 }
 
-constexpr const char* k_everything = "motion, heat, water, elasticity, plasticity, leavening";
-
 /// Every combination of effects that is compiled (solver/engine/model_list.h), with both kernels.
 std::vector<RandomScene> every_model() {
   const std::vector<std::string> effects = {"heat",
@@ -155,9 +153,9 @@ motion = [{ time_s = 0 }, { time_s = 0.1, position_m = [0, 0, -0.3] }]
              {.name = "held_backward_euler", .heat = "integrator = \"backward_euler\"", .tables = held},
              {.name = "poured", .tables = poured},
              {.name = "gone", .tables = gone},
-             {.name = "thirteen_cells", .gravity = "[150, 150, 150]", .far_corner = "[0.7, 0.7, 0.7]"},
-             {.name = "fourteen_cells", .gravity = "[150, 150, 150]", .far_corner = "[0.8, 0.8, 0.8]"},
-             {.name = "fifteen_cells", .gravity = "[150, 150, 150]", .far_corner = "[0.9, 0.9, 0.9]"},
+             {.name = "thirteen_cells", .gravity = "[150, 150, 150]", .far_corner = {0.7, 0.7, 0.7}},
+             {.name = "fourteen_cells", .gravity = "[150, 150, 150]", .far_corner = {0.8, 0.8, 0.8}},
+             {.name = "fifteen_cells", .gravity = "[150, 150, 150]", .far_corner = {0.9, 0.9, 0.9}},
              {.name = "hurled_at_walls", .gravity = "[150, -100, 50]"},
              {.name = "hurled_through_open_faces", .gravity = "[150, -100, 50]", .faces = "x_max = \"open\"\nz_max = \"open\""},
          }) {

@@ -4,9 +4,6 @@
 #include <fmt/format.h>
 
 #include <random>
-#include <sstream>
-
-#include "solver/scene/reader.h"
 
 namespace bake {
 
@@ -25,18 +22,9 @@ class Dice {
   std::mt19937 bits_;
 };
 
-std::string quoted(const std::string& words) {
-  std::string list, word;
-  for (std::istringstream in(words); std::getline(in >> std::ws, word, ',');) list += (list.empty() ? "\"" : ", \"") + word + "\"";
-  return list;
-}
-
 /// Table 2's bread with faster water, so that all effects show within a hundred steps.
-std::string material(const std::string& name, Dice& dice, const std::string& more) {
-  return fmt::format(R"(
-[[material]]
-name = "{}"
-density_kg_per_m3 = {:.17g}
+std::string material(Dice& dice, const std::string& more) {
+  return fmt::format(R"(density_kg_per_m3 = {:.17g}
 young_modulus_Pa = {:.17g}
 poisson_ratio = {:.17g}
 initial_saturation = 0.2
@@ -52,8 +40,8 @@ evaporation_kg_per_m2sK = 0.5
 production_mol_per_kgs = 0.3
 {}
 )",
-                     name, dice.between(400, 600), dice.between(1e4, 3e4), dice.between(0.1, 0.4), dice.between(0.1, 0.3),
-                     dice.between(50, 150), more);
+                     dice.between(400, 600), dice.between(1e4, 3e4), dice.between(0.1, 0.4), dice.between(0.1, 0.3), dice.between(50, 150),
+                     more);
 }
 
 std::string blob(const std::string& material, const std::string& shape, const std::string& state, Dice& dice) {
@@ -73,48 +61,31 @@ angular_velocity_rad_per_s = {}
 
 }  // namespace
 
-std::string RandomScene::text() const {
+Scene RandomScene::scene() const {
   Dice dice(seed);
   const std::string drawn = dice.vector(-10, 10);
   const bool own_strength = material.find("yield_stress") != std::string::npos;
   const std::string strength = own_strength ? "" : "yield_stress_Pa = [200, 200, 150, 400]\nviscosity_Pa_s = [50, 50, 40, 40]\n";
-  std::string text = fmt::format(R"(
-effects = [{}]
-[run]
-end_s = 1000
-frame_rate_per_s = 0.001
-precision = "{}"
-seed = {}
-[grid]
-dx_m = 0.1
-kernel = "{}"
-[domain]
-min_m = [-0.6, -0.6, -0.6]
-max_m = {}
-friction = 0.2
-{}
-[oven]
-temperature_C = [[0, 120], [1, 200]]
-heat_transfer_coefficient_W_per_m2K = 300
-equilibrium_saturation = 0.05
-[motion]
-gravity_m_per_s2 = {}
-{}
-[heat]
-water_specific_heat_J_per_kgK = 40
-{}
-[water]
-{}
-[plasticity]
-{}
-[leavening]
-{}
-[surface]
-{}
-)",
-                                 quoted(effects), precision, seed, kernel, far_corner, faces, gravity.empty() ? drawn : gravity, motion,
-                                 heat, water, plasticity, leavening, surface);
-  text += bake::material("dough", dice, strength + material) + bake::material("crust", dice, strength + material);
+  SceneBuilder builder;
+  builder.effects = effects;
+  builder.precision = precision;
+  builder.frame_s = 1000;
+  builder.run = fmt::format("seed = {}", seed);
+  builder.kernel = kernel;
+  builder.low = {-0.6, -0.6, -0.6};
+  builder.high = far_corner;
+  builder.faces = "friction = 0.2\n" + faces;
+  builder.gravity = gravity.empty() ? drawn : gravity;
+  builder.motion = motion;
+  builder.heat = "water_specific_heat_J_per_kgK = 40\n" + heat;
+  builder.leavening = leavening;
+  builder.surface = surface;
+  builder.material = bake::material(dice, strength + material);
+  std::string& text = builder.tables;
+  text = fmt::format(
+      "[oven]\ntemperature_C = [[0, 120], [1, 200]]\nheat_transfer_coefficient_W_per_m2K = 300\nequilibrium_saturation = 0.05\n"
+      "[water]\n{}\n[plasticity]\n{}\n[[material]]\nname = \"crust\"\n{}",
+      water, plasticity, bake::material(dice, strength + material));
   text += blob("dough", fmt::format("sphere = {{ centre_m = {}, radius_m = 0.2 }}", dice.vector(-0.1, 0.1)), "", dice);
   text += blob("crust", "box = { centre_m = [0.36, -0.1, 0.1], half_extents_m = [0.12, 0.15, 0.1] }",
                "temperature_C = 70\nsaturation = 0.3\nleavener = 0.6", dice);
@@ -134,9 +105,8 @@ pivot_m = [0.1, 0.45, 0.1]
 )",
                       "[0.1, 0.2, 1]", fmt::format("[{:.17g}, {:.17g}, 0.1]", dice.between(0.05, 0.15), dice.between(0.4, 0.5)),
                       dice.vector(-90, 90));
-  return text + tables;
+  text += tables;
+  return builder.scene();
 }
-
-Scene RandomScene::scene() const { return parse_scene(text(), "random.toml", {}); }
 
 }  // namespace bake

@@ -5,7 +5,7 @@
 #include <ostream>
 #include <string>
 
-#include "solver/scene/scene.h"
+#include "solver/scene/scene_builder.h"
 
 namespace bake {
 
@@ -24,11 +24,10 @@ struct RandomScene {
   std::string tables = {};                                     ///< further tables
   std::string gravity = {};                                    ///< drawn if empty
   std::string faces = "x_min = \"sticky\"\ny_min = \"slip\"";  ///< keys of [domain]
-  std::string far_corner = "[0.6, 0.6, 0.6]";                  ///< of the domain
+  Vector3 far_corner{0.6, 0.6, 0.6};                           ///< of the domain
   int seed = 1;
   std::string precision = "double";
 
-  std::string text() const;
   Scene scene() const;
 };
 inline void PrintTo(const RandomScene& r, std::ostream* out) { *out << r.name; }

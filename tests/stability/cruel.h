@@ -75,8 +75,8 @@ class Watched {
 inline Dough small() {
   Dough dough;
   dough.dx = 0.125;
-  dough.dt = 0.02;
-  dough.ball = "sphere = { centre_m = [0.01, 0.02, 0.03], radius_m = 0.3 }";
+  dough.frame_s = 0.02;
+  dough.shape = "sphere = { centre_m = [0.01, 0.02, 0.03], radius_m = 0.3 }";
   dough.gravity = "[0, 0, -9.81]";
   return dough;
 }

@@ -27,7 +27,7 @@ Dough dropped(const std::string& material, const std::string& precision = "doubl
   dough.effects = k_everything;
   dough.precision = precision;
   dough.material = material;
-  dough.ball = "sphere = { centre_m = [0.01, 0.02, -0.5], radius_m = 0.3 }";
+  dough.shape = "sphere = { centre_m = [0.01, 0.02, -0.5], radius_m = 0.3 }";
   dough.tables = R"([oven]
 temperature_C = 200
 heat_transfer_coefficient_W_per_m2K = 500
@@ -66,7 +66,7 @@ TEST_P(CruelDough, ThatHoldsMoreWaterThanItShould) {
 }
 TEST_P(CruelDough, AThousandTimesLessDenseThanItsNeighbour) {
   Dough dough = dropped(changed({}), GetParam());
-  dough.ball = "sphere = { centre_m = [0.01, 0.02, -0.6], radius_m = 0.25 }";
+  dough.shape = "sphere = { centre_m = [0.01, 0.02, -0.6], radius_m = 0.25 }";
   dough.tables += "[[material]]\nname = \"foam\"\n" + changed({{"density_kg_per_m3", "0.5"}, {"initial_saturation", "0"}}) +
                   "[[body]]\nmaterial = \"foam\"\nparticles_per_cell = 8\n"
                   "shape = { sphere = { centre_m = [0.01, 0.02, -0.1], radius_m = 0.25 } }\n";
@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(By, Conduction, testing::Values("forward_euler", "backw
 
 TEST_P(Conduction, AThousandTimesFaster) {
   Dough dough = dropped(changed({{"conductivity_W_per_mK", "1e5"}}));
-  dough.tables += std::string("[heat]\nwater_specific_heat_J_per_kgK = 40\ntolerance = 1e-12\nintegrator = \"") + GetParam() + "\"\n";
+  dough.heat += std::string("\ntolerance = 1e-12\nintegrator = \"") + GetParam() + "\"";
   Watched dropped(dough);
   ASSERT_NO_FATAL_FAILURE(dropped.run(0.05));
   const double cold = -dropped->highest(highest::coldness), hot = dropped->highest(highest::temperature);
@@ -94,10 +94,10 @@ void expect_deformed(double ratio, const char* precision) {
   dough.effects = "motion, elasticity, plasticity";
   dough.precision = precision;
   dough.dx = 0.03125;
-  dough.dt = 0.02;
+  dough.frame_s = 0.02;
   dough.material = changed({});
   const double length = ratio < 1 ? 1.2 : 0.18, travel = length * (ratio - 1) / 2, time = std::abs(travel);
-  dough.ball = fmt::format("box = {{ half_extents_m = [{}, 0.08, 0.08] }}", length / 2);
+  dough.shape = fmt::format("box = {{ half_extents_m = [{}, 0.08, 0.08] }}", length / 2);
   for (const int side : {-1, 1})
     dough.tables += fmt::format(
         "[[grip]]\nshape = {{ box = {{ centre_m = [{}, 0, 0], half_extents_m = [0.02, 0.3, 0.3] }} }}\n"
@@ -121,8 +121,8 @@ void expect_let_go(double ratio, const char* precision) {
   dough.effects = k_everything;
   dough.precision = precision;
   dough.dx = 0.125;
-  dough.dt = 0.02;
-  dough.ball = "sphere = { radius_m = 0.3 }";
+  dough.frame_s = 0.02;
+  dough.shape = "sphere = { radius_m = 0.3 }";
   dough.material = changed({});
   dough.tables = "[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 100\n";
   const double rate = ratio > 1 ? 2 : -2, time = std::log(ratio) / (3 * rate);
@@ -147,8 +147,8 @@ TEST_P(CruelDough, BetweenClosingWalls) {
   dough.effects = "motion, elasticity, plasticity";
   dough.precision = GetParam();
   dough.material = changed({{"initial_porosity", "0.92"}});
-  dough.dt = 0.02;
-  dough.ball = "box = { half_extents_m = [0.4, 0.4, 0.4] }";
+  dough.frame_s = 0.02;
+  dough.shape = "box = { half_extents_m = [0.4, 0.4, 0.4] }";
   const double travel = 0.42 - 0.4 * std::cbrt(0.1), time = 0.5;
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (const int side : {-1, 1}) {
@@ -176,11 +176,11 @@ TEST(ANodeOfAlmostNoMass, GivesNobodyASpeed) {
     Dough dough;
     dough.effects = k_everything;
     dough.dx = 0.125;
-    dough.dt = 1e-3;
+    dough.frame_s = 1e-3;
     dough.material = Dough::properties(Dough::moving_water());
     dough.body = "jitter = 0\nvelocity_m_per_s = [1, 0, 0]";
     dough.tables = "[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 100\n";
-    dough.ball = fmt::format("box = {{ centre_m = [{:.17g}, 0.01, 0.02], half_extents_m = [0.2, 0.2, 0.2] }}", at * dough.dx);
+    dough.shape = fmt::format("box = {{ centre_m = [{:.17g}, 0.01, 0.02], half_extents_m = [0.2, 0.2, 0.2] }}", at * dough.dx);
     Watched block(dough);
     ASSERT_NO_FATAL_FAILURE(block.run(0.05));
     for (const Vector3& v : block.particles().velocity) EXPECT_LT(length(v - Vector3{1, 0, 0}), 1);
@@ -193,7 +193,7 @@ TEST_P(CruelDough, AsAFilmUnderAKnife) {
   dough.effects = "motion, elasticity, plasticity";
   dough.precision = GetParam();
   dough.material = changed({});
-  dough.ball = "box = { centre_m = [0, 0, -0.87], half_extents_m = [0.4, 0.4, 0.03] }";  // one cell thick, on a floor
+  dough.shape = "box = { centre_m = [0, 0, -0.87], half_extents_m = [0.4, 0.4, 0.03] }";  // one cell thick, on a floor
   dough.tables = R"([[collider]]
 shape = { half_space = { point_m = [0, 0, -0.9], normal = [0, 0, 1] } }
 contact = "sticky"

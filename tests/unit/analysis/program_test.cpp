@@ -45,6 +45,20 @@ TEST_F(RenderProgram, MakesPicturesSlicesSurfacesAndMontages) {
   for (const char* file : {"a.png", "b.png", "c.hdf", "d.png", "e.png"}) EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
 }
 
+TEST_F(RenderProgram, ShowsAFrameByAnyFieldWholeOrCutWithoutAView) {
+  const std::string frame = "run/frames/0002.hdf --size 400x300";
+  for (const auto& [options, file] : {std::pair{"--by temperature", "whole.png"}, {"--by water_mass --cut y=0", "cut.png"}})
+    EXPECT_EQ(call(fmt::format("slice {} {} --out {}", frame, options, file)), 0) << contents(folder / ".err");
+  EXPECT_EQ(call(fmt::format("slice view.toml {} --by water_mass --cut y=0 --out same.png", frame)), 0) << contents(folder / ".err");
+  EXPECT_EQ(contents(folder / "same.png"), contents(folder / "cut.png"));
+  EXPECT_NE(contents(folder / "whole.png"), contents(folder / "cut.png"));
+  expect_refused("slice run/frames/0002.hdf --by temprature --out a.png", "did you mean 'temperature'");
+  expect_refused("slice run/frames/0002.hdf --out a.png", "found no [[panel]]");
+  expect_refused("slice run/frames/0002.hdf --by temperature --cut 0 --out a.png", "--cut: found '0', allowed: x=, y= or z=");
+  expect_refused("slice run/frames/0002.hdf --by temperature --cut y=1 --out a.png", "the plane does not meet");
+  expect_refused("slice view.toml --out a.png", "files: missing");
+}
+
 TEST_F(RenderProgram, MakesAMovieOfNumberedPicturesAndCallsFfmpegIfItIsThere) {
   EXPECT_EQ(call("movie view.toml run --out film --every 2", "env PATH=/nowhere"), 0) << contents(folder / ".err");
   EXPECT_NE(contents(folder / ".out").find("2 pictures in film; to get an mp4, apt-get install ffmpeg"), std::string::npos);

@@ -131,12 +131,7 @@ TEST(ChartLabels, StayOnThePanel) {
 class AWrittenChart : public testing::Test {
  protected:
   std::string error_of(const Chart& chart) const {
-    try {
-      write_chart(chart, folder_.path());
-    } catch (const std::exception& error) {
-      return error.what();
-    }
-    return "nothing was thrown";
+    return message_of<std::exception>([&] { write_chart(chart, folder_.path()); });
   }
   bool is_empty() const { return std::filesystem::is_empty(folder_.path()); }
   const TemporaryFolder folder_;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "analysis/claims/blessing.h"
+
 namespace bake {
 namespace {
 
@@ -48,6 +50,43 @@ TEST(AClaim, OfAnOrderHoldsOnlyIfEveryStepDoes) {
   c.order = Trend::falling;
   EXPECT_EQ(holds(c, {{"a", 3}, {"b", 2}, {"c", 2.5}}), (std::vector{true, true, false}));
   EXPECT_EQ(holds(c, {{"a", std::nan("")}, {"b", 2}, {"c", 1}}), (std::vector{false, false, true}));
+}
+
+TEST(AClaim, HoldsWithinItsToleranceOrBoundsAndNotBeyond) {
+  Claim c = claim({"a", "b", "c"});
+  c.expected = 0.4, c.tolerance = 0.01;
+  EXPECT_EQ(holds(c, {{"a", 0.409}, {"b", 0.4101}, {"c", std::nan("")}}), (std::vector{true, false, false}));
+  c.expected = c.tolerance = std::nullopt;
+  c.at_least = 1, c.at_most = 2;
+  EXPECT_EQ(holds(c, {{"a", 2}, {"b", 0.9}, {"c", 2.1}}), (std::vector{true, false, false}));
+}
+
+TEST(AClaim, OfOneQualityIsNotJudgedAtAnother) {
+  Claim c = claim({"a"});
+  EXPECT_TRUE(c.is_judged_at("paper"));
+  c.quality = Quality::draft;
+  EXPECT_TRUE(c.is_judged_at("draft"));
+  EXPECT_FALSE(c.is_judged_at("standard"));
+}
+
+TEST(Blessing, WritesNumbersAndReasonAndLeavesTheRest) {
+  const std::string text = R"(title = "Brötchen" # 9 of them
+[[claim]]
+expected = 1.5
+[[claim]]   # é
+  expected = 2e1 # the old one
+why = "w"
+
+[[claim]]
+expected = 3
+)";
+  const std::string after = cli::bless_claims(text, {{std::nullopt, 0.1 + 0.2, 4}, "a \"better\" rule", "abc"});
+  std::string expected = text;
+  expected.replace(expected.find("2e1"), 3, "0.30000000000000004");
+  expected.replace(expected.find("= 3\n"), 4, "= 4\n");
+  expected += "\n[blessed]\nwhy = \"a \\\"better\\\" rule\"\ncommit = \"abc\"\n";
+  EXPECT_EQ(after, expected);
+  EXPECT_EQ(cli::bless_claims(after, {{1, 2, 3}, "again", "def"}), cli::bless_claims(text, {{1, 2, 3}, "again", "def"}));
 }
 
 TEST(AClaim, IsPrintedWithItsReasonIfItIsMissed) {

@@ -218,5 +218,30 @@ TEST_F(SurfaceMetrics, RefuseWhatIsNoFractureSurface) {
   EXPECT_THROW(measure("cracks", {}, "{\"frames\": [{}]}"), InputError);
 }
 
+class ResultsOfARun : public testing::Test {
+ protected:
+  /// A run whose ledger has these columns and rows.
+  Results results(const std::string& ledger, const char* state = "done") const {
+    std::ofstream(folder_ / "run.json") << "{\"summary\": {\"state\": \"" << state << "\"}}";
+    std::ofstream(folder_ / "ledger.csv") << ledger;
+    return Results(folder_.path());
+  }
+  const TemporaryFolder folder_;
+};
+
+TEST_F(ResultsOfARun, AreNotThereBeforeItIsDone) {
+  EXPECT_THROW(results("time_s,volume_m3\n0,1\n", "interrupted"), InputError);
+  EXPECT_THROW(results("time_s,volume_m3\n"), InputError);
+  EXPECT_THROW(results("time_s\n0\n").column("volume_m3"), InputError);
+}
+
+TEST_F(ResultsOfARun, TellGainsAndWhatTheBooksDoNotExplain) {
+  const Results run =
+      results("time_s,volume_m3,solid_mass_kg,retired_solid_kg,emitted_solid_kg\n0,1,2,0,0\n1,2,1.5,0.5,0\n2,1.5,2.25,0.5,0.5\n");
+  EXPECT_DOUBLE_EQ(find_metric("solid_drift").of_run(run, {}), 0.125);
+  EXPECT_EQ(find_metric("volume_gain").of_run(run, {}), 1.5);
+  EXPECT_FALSE(std::isfinite(find_metric("volume_gain").of_run(results("time_s,volume_m3\n0,0\n1,1\n"), {}))) << "a gain over nothing";
+}
+
 }  // namespace
 }  // namespace bake

@@ -3,6 +3,7 @@
 
 #include "solver/engine/physics.h"
 #include "tests/conservation/dough.h"
+#include "tests/support/temporary_folder.h"
 
 namespace bake {
 namespace {
@@ -68,18 +69,13 @@ TEST(AModel, HasOnlyTheColumnsOfItsEffects) {
 
 /// The message for a combination that is not compiled.
 std::string refusal(const char* effects, const char* motion = "") {
-  try {
-    make_physics<float>(scene_with(effects, motion));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
+  return message_of<InputError>([&] { make_physics<float>(scene_with(effects, motion)); });
 }
 
 TEST(AModel, OfUnknownCombinationIsRefusedInOneLineThatListsAllKnownOnes) {
   for (const char* effects : {"motion", "", "motion, heat", "motion, heat, water"}) {
     const std::string message = refusal(effects);
-    EXPECT_EQ(message.find("dough.toml: effects: found "), 0u) << message;
+    EXPECT_EQ(message.find("built.toml: effects: found "), 0u) << message;
     EXPECT_EQ(message.find('\n'), std::string::npos);
     for (const char* known : {" heat, ", " water, ", " heat+water, ", " motion+elasticity, ", "+plasticity+leavening"})
       EXPECT_NE(message.find(known), std::string::npos) << known << " in " << message;

@@ -16,7 +16,7 @@ double measured_area(Dough dough) {
 double sphere_error(double cells, const char* precision) {
   Dough dough;
   dough.precision = precision;
-  dough.ball = fmt::format("sphere = {{ centre_m = [0.013, -0.007, 0.021], radius_m = {} }}", cells * dough.dx);
+  dough.shape = fmt::format("sphere = {{ centre_m = [0.013, -0.007, 0.021], radius_m = {} }}", cells * dough.dx);
   dough.body = "jitter = 1";
   return measured_area(dough) / (4 * M_PI * std::pow(cells * dough.dx, 2)) - 1;
 }
@@ -43,15 +43,15 @@ TEST(TheSurface, IsTheSameForAnyNumberOfThreads) {
 // 8 of the 12 edges: of the order of 8 side dx / (5 side^2) = 10 % of the area at 16 cells.
 TEST(ACubeOnAFaceOfTheDomain, HasFiveFaces) {
   Dough dough;
-  dough.ball = "box = { centre_m = [0, 0, -0.5], half_extents_m = [0.5, 0.5, 0.5] }";
+  dough.shape = "box = { centre_m = [0, 0, -0.5], half_extents_m = [0.5, 0.5, 0.5] }";
   EXPECT_NEAR(measured_area(dough), 5, 0.15 * 5);
-  dough.ball = "box = { centre_m = [0.1, 0.03, 0.5], half_extents_m = [0.5, 0.5, 0.5] }";
+  dough.shape = "box = { centre_m = [0.1, 0.03, 0.5], half_extents_m = [0.5, 0.5, 0.5] }";
   EXPECT_NEAR(measured_area(dough), 5, 0.15 * 5);
 }
 
 TEST(ACubeThatFillsTheDomain, HasNoSurface) {
   Dough dough;
-  dough.ball = "box = { half_extents_m = [1, 1, 1] }";
+  dough.shape = "box = { half_extents_m = [1, 1, 1] }";
   dough.dx = 0.25;
   EXPECT_LT(measured_area(dough), 1e-3 * 24);  // of its six faces: gaps that the jitter left
 }
@@ -59,7 +59,7 @@ TEST(ACubeThatFillsTheDomain, HasNoSurface) {
 TEST(TheSurface, MovesWithTheBodyAndDoesNotDependOnWhereTheBodyIsOnTheGrid) {
   Dough dough;
   for (const double shift : {0.0, 0.3, 0.7}) {
-    dough.ball = fmt::format("sphere = {{ centre_m = [{0}, {0}, {0}], radius_m = 0.375 }}", shift * dough.dx);
+    dough.shape = fmt::format("sphere = {{ centre_m = [{0}, {0}, {0}], radius_m = 0.375 }}", shift * dough.dx);
     EXPECT_NEAR(measured_area(dough) / (4 * M_PI * 0.375 * 0.375), 1, 0.05) << shift;
   }
 }

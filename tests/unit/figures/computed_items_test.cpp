@@ -80,12 +80,7 @@ class TableTwo : public testing::Test {
     return "no such row";
   }
   std::string error() const {
-    try {
-      compare_parameters(root());
-    } catch (const InputError& e) {
-      return std::string(e.what()).substr(root().string().size() + 1);
-    }
-    return "nothing was thrown";
+    return message_of<InputError>([&] { compare_parameters(root()); }).substr(root().string().size() + 1);
   }
   static constexpr const char* k_bread = "experiments/fig15_bread/bread.toml";
   static constexpr const char* k_ours = "reference/published/table2_scenes.toml";

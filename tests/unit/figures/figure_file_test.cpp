@@ -66,13 +66,8 @@ class FigureFile : public testing::Test {
   std::string error_of(const std::string& from, const std::string& to) const {
     std::string text = k_figure;
     text.replace(text.find(from), from.size(), to);
-    try {
-      read(text);
-      return "nothing";
-    } catch (const InputError& error) {
-      const std::string line = error.what(), folder = folder_.path().string() + "/";
-      return line.substr(line.find("figure.toml"));
-    }
+    const std::string line = message_of<InputError>([&] { read(text); });
+    return line.substr(line.find("figure.toml"));
   }
   const TemporaryFolder folder_;
 };
@@ -129,6 +124,8 @@ TEST_F(FigureFile, RefusesClaimsWithoutOneCondition) {
             "figure.toml:34: claim.0.why: found \"\", allowed: the reason");
   EXPECT_EQ(error_of("expected = 2\ntolerance = 0\nkind = \"published\"", "at_least = 2\nkind = \"regression\""),
             "figure.toml:39: claim.1.kind: found a regression without an expected value");
+  EXPECT_EQ(error_of("tolerance = 0\nkind = \"published\"", "tolerance = 0\nkind = \"regression\""),
+            "figure.toml:40: claim.1.kind: found a regression without the quality that it holds for");
 }
 
 TEST_F(FigureFile, RefersToWhatTheItemsFunctionGives) {

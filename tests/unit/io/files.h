@@ -28,19 +28,6 @@ bool same_bits(const A& a, const B& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
 }
 
-/// The one line of the error that `action` must throw.
-template <class Error, class Action>
-std::string message_of(Action action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  } catch (const std::exception& other) {
-    return std::string("another exception: ") + other.what();
-  }
-  return "nothing was thrown";
-}
-
 inline bool has(const std::string& text, std::string_view part) {
   return text.find(part) != std::string::npos && text.find('\n') == std::string::npos;
 }

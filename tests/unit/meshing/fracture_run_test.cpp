@@ -74,12 +74,7 @@ class ATornBrick : public testing::Test {
   }
 
   std::string error_of(const FractureOptions& options) const {
-    try {
-      write_fracture(options, [](const std::string&) {});
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "nothing was thrown";
+    return message_of<InputError>([&] { write_fracture(options, [](const std::string&) {}); });
   }
 
   const TemporaryFolder folder_;

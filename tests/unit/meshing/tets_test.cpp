@@ -9,6 +9,7 @@
 #include "meshing/tets/surface_foot.h"
 #include "solver/core/errors.h"
 #include "solver/core/vector3.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/unit/meshing/solids.h"
 
 namespace bake {
@@ -115,12 +116,7 @@ TEST(Tets, OfABoxReachItsEdgesAndCorners) {
 }
 
 std::string error_of(const Shape& solid, std::size_t target) {
-  try {
-    lattice_tets(solid, target);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
+  return message_of<InputError>([&] { lattice_tets(solid, target); });
 }
 
 TEST(Tets, OfWhatCannotBeFilledAreRefused) {

@@ -79,12 +79,7 @@ class ASurfaceFile : public testing::Test {
     return read_triangle_mesh(folder_ / name);
   }
   std::string error_of(const std::string& name, const std::string& text) const {
-    try {
-      read(name, text);
-    } catch (const InputError& error) {
-      return std::string(error.what()).substr(folder_.path().string().size() + 1);
-    }
-    return "nothing was thrown";
+    return message_of<InputError>([&] { read(name, text); }).substr(folder_.path().string().size() + 1);
   }
   const TemporaryFolder folder_;
 };

@@ -9,10 +9,8 @@
 #include <fstream>
 
 #include "experiments/accuracy/expected.h"
-#include "experiments/accuracy/knobs.h"
 #include "experiments/accuracy/reference.h"
 #include "experiments/accuracy/result.h"
-#include "experiments/accuracy/scene_file.h"
 #include "solver/core/errors.h"
 #include "solver/scene/entry.h"
 #include "solver/scene/reader.h"
@@ -186,23 +184,19 @@ TEST_F(AStudy, MeasuresWritesAndRepeatsNothing) {
   const auto lines = static_cast<std::size_t>(std::count(first.begin(), first.end(), '\n'));
   EXPECT_EQ(lines, 2 * variants_of(find_case("elastic_bar"), Effort::quick).size()) << "two repeats of each";
   const auto all = nlohmann::json::parse(read_text_file(folder.path() / "accuracy.json"));
-  const auto& bar = all.at("cases").at(0);
-  EXPECT_EQ(bar.at("case"), "elastic_bar");
-  const auto& points = bar.at("curves").at(0).at("points");
+  EXPECT_EQ(all.at("cases").at(0).at("case"), "elastic_bar");
+  const CaseResult bar(find_case("elastic_bar"), RawData(folder.path() / "accuracy", "elastic_bar"));
+  const auto& points = bar.default_curve()->points;
   ASSERT_EQ(points.size(), 3u);
-  EXPECT_LT(points[2].at("error"), points[0].at("error").get<double>() / 8) << "second order: a quarter twice";
-  EXPECT_GT(bar.at("front").size(), 1u);
-  const auto points_of = [&](const std::string& setting) {
-    for (const auto& c : bar.at("curves"))
-      if (c.at("setting") == setting) return c.at("points");
-    return nlohmann::json::array();
-  };
-  const auto staged = points_of("textbook (staged, double)"), fused = points_of("double");
-  ASSERT_EQ(staged.size(), 2u);
-  for (int i : {0, 1}) {
-    const double error = fused.at(i).at("error");
-    EXPECT_NEAR(staged.at(i).at("error"), error, 1e-9 * error) << "the same mathematics and the same steps";
-    EXPECT_GT(staged.at(i).at("cpu_s").at("median"), 0);
+  EXPECT_LT(points[2].error, points[0].error / 8) << "second order: a quarter twice";
+  EXPECT_GT(front(bar.curves(), particle_steps).size(), 1u);
+  const Curve *staged = bar.curve_of("textbook (staged, double)"), *fused = bar.curve_of("double");
+  ASSERT_TRUE(staged && fused);
+  ASSERT_EQ(staged->points.size(), 2u);
+  for (std::size_t i : {0, 1}) {
+    const double error = fused->points[i].error;
+    EXPECT_NEAR(staged->points[i].error, error, 1e-9 * error) << "the same mathematics and the same steps";
+    EXPECT_GT(staged->points[i].cpu_s.median, 0);
   }
   EXPECT_EQ(all.at("speed").at("measurements"), lines);
   for (const char* limit : {"triad_GB_per_s", "single_GFLOPs", "double_GFLOPs"}) {

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#include "experiments/common/study_scene.h"
+
+#include <omp.h>
+
+namespace bake::studies {
+
+std::unique_ptr<Simulation> StudyScene::begin() const {
+  omp_set_num_threads(threads);
+  return Simulation::begin(scene());
+}
+
+void run_to(Simulation& simulation, double time) { simulation.advance(time, time); }
+
+}  // namespace bake::studies
