@@ -30,10 +30,12 @@ std::string words_of(std::string name) {
 }
 
 charts::Chart ledger_chart(const FigurePaths& paths, const FigureChart& chart) {
-  charts::Panel panel{"", {"time", "s"}, axis_of_column(chart.column)};
+  const std::string column = present_column(chart.column);
+  if (column != chart.column) say(paths.options, fmt::format("{} is now called {}; the old name is read until 1.0", chart.column, column));
+  charts::Panel panel{"", {"time", "s"}, axis_of_column(column)};
   for (const std::string& name : chart.of) {
     const Results run(paths.run(name));
-    panel.series.push_back({words_of(name), charts::Kind::line, run.column("time_s"), run.column(chart.column)});
+    panel.series.push_back({words_of(name), charts::Kind::line, run.column("time_s"), run.column(column)});
   }
   panel.legend = panel.series.size() > 1 ? charts::Legend::right : charts::Legend::none;
   return {chart.name, chart.shows, {panel}, 1, 4.4, 2.8};

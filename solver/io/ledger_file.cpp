@@ -6,11 +6,13 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -46,7 +48,24 @@ std::vector<double> numbers(const std::vector<std::string>& words, const std::st
   return values;
 }
 
+/// A column's name began like the first until 0.1, and begins like the second now.
+constexpr std::pair<std::string_view, std::string_view> k_renamed[] = {
+    {"twist_", "angular_impulse_"},
+    {"retired_solid_kg", "retired_solid_mass_kg"},
+    {"retired_water_kg", "retired_water_mass_kg"},
+    {"retired_heat_J", "retired_heat_content_J"},
+    {"emitted_solid_kg", "emitted_solid_mass_kg"},
+    {"emitted_water_kg", "emitted_water_mass_kg"},
+    {"emitted_heat_J", "emitted_heat_content_J"},
+};
+
 }  // namespace
+
+std::string present_column(const std::string& name) {
+  for (const auto& [former, present] : k_renamed)
+    if (name.starts_with(former)) return std::string(present) + name.substr(former.size());
+  return name;
+}
 
 Ledger read_ledger(const std::filesystem::path& path) {
   std::ifstream in(path);
@@ -54,7 +73,12 @@ Ledger read_ledger(const std::filesystem::path& path) {
   Ledger ledger;
   std::string line;
   if (!next_line(in, line)) throw InputError(fmt::format("{}: not a ledger: it has no heading line", path.string()));
-  ledger.columns = split(line);
+  const std::vector<std::string> named = split(line);
+  for (const std::string& name : named) ledger.columns.push_back(present_column(name));
+  const auto [old, present] = std::mismatch(named.begin(), named.end(), ledger.columns.begin());
+  if (old != named.end())
+    fmt::print(stderr, "bake: {}: {} and other columns have other names now ({}); the old ones are read until 1.0\n", path.string(), *old,
+               *present);
   while (next_line(in, line)) {
     const auto place = fmt::format("{}:{}", path.string(), ledger.rows.size() + 2);
     const auto words = split(line);

@@ -18,7 +18,11 @@ struct Ledger {
   std::vector<std::vector<double>> rows;  ///< each as long as `columns`
 };
 
+/// The present name of a column that was called `name` until 0.1; `name` itself if it was not renamed. Former names are read until 1.0.
+std::string present_column(const std::string& name);
+
 /// Reads a ledger. Throws InputError (file:line) on a missing file, a row of wrong length or a word that is no number.
+/// Columns under former names get their present ones, with one line of notice on standard error.
 Ledger read_ledger(const std::filesystem::path& path);
 
 /// The ledger of a running simulation. The first column (frame or time) must rise from row to row.

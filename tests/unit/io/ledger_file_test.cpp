@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -38,6 +39,16 @@ TEST_F(ALedger, ComesBackBitForBit) {
   ASSERT_EQ(read.rows.size(), 2u);
   EXPECT_TRUE(same_bits(read.rows[0], awkward));
   EXPECT_TRUE(std::isnan(read.rows[1][5]));
+}
+
+TEST_F(ALedger, OfAnOlderVersionIsReadUnderThePresentNamesWithOneLineOfNotice) {
+  { auto ledger = LedgerFile::create(path_, {"time_s", "twist_x_kg_m2_per_s", "retired_heat_J"}); }
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(read_ledger(path_).columns, (std::vector<std::string>{"time_s", "angular_impulse_x_kg_m2_per_s", "retired_heat_content_J"}));
+  const std::string notice = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(std::count(notice.begin(), notice.end(), '\n'), 1) << notice;
+  EXPECT_NE(notice.find("twist_x_kg_m2_per_s"), std::string::npos) << notice;
+  EXPECT_EQ(present_column("time_s"), "time_s");
 }
 
 TEST_F(ALedger, BeginsAnewOverAnOldFile) {
