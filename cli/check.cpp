@@ -10,9 +10,11 @@
 #include "cli/commands.h"
 #include "experiments/make/figure_file.h"
 #include "solver/io/atomic_file.h"
+#include "solver/program/scene_files.h"
 #include "solver/run/kept_run.h"
 #include "solver/scene/describe.h"
 #include "solver/scene/nearest.h"
+#include "solver/scene/reader.h"
 
 namespace bake::cli {
 namespace {
@@ -64,7 +66,7 @@ struct CheckArguments {
 /// The results of the scene at draft, of which only what is missing is run.
 Results results_of(const Figure& figure, const CheckArguments& arguments) {
   const FigureRun& run = figure.runs.front();
-  const Scene scene = read_scene(scene_file(figure, run), {Quality::draft, run.set});
+  const Scene scene = open_scene(scene_file(figure, run).string(), {Quality::draft, run.set}, arguments.quiet);
   RunOptions options;
   options.out = arguments.out.empty() ? default_results(scene) : arguments.out;
   options.quiet = arguments.quiet;

@@ -86,7 +86,7 @@ using Measure = std::function<double(const Claim& claim, const std::string& of)>
 /// The verdicts of a claim, one per run.
 std::vector<ClaimVerdict> judge(const Claim& claim, const MetricWords& words, const Measure& measure);
 
-/// For people, in columns as wide as what stands in them; the reason where one does not hold.
+/// The verdicts as a table for the terminal, with the reason where a claim does not hold.
 std::string table(const std::vector<ClaimVerdict>& verdicts);
 
 }  // namespace bake

@@ -21,7 +21,7 @@ struct Bar {
   int before = 0, after = 0;                        ///< cells that the body reaches beyond x = 0 and x = 1, into what holds it there
   int air = 0;                                      ///< cells between the body and the domain's faces along x; 0: it touches them
   double end_s = 1;                                 ///< the first sample
-  std::string effects = "heat";                     ///< in quotes, with commas
+  std::string effects = "heat";                     ///< "motion, heat"
   std::string material;                             ///< keys of the material besides density 1 kg/m^3
   std::string tables;                               ///< further tables
   std::string time = "safety = 1";                  ///< keys of [time]

@@ -54,12 +54,12 @@ void check_other(const SceneEntry& entry, const Items& items, const OtherExperim
     entry.complain_at("experiment", fmt::format("found '{}', allowed: a folder in experiments", other.experiment));
 }
 
-/// Sources alone, of studies and of what makes figures, are no experiment.
+/// Folders that hold only sources, of studies and of what makes figures, are no experiments.
 bool has_scene_or_figure(const fs::path& folder) {
   return std::any_of(fs::directory_iterator(folder), {}, [](const auto& file) { return file.path().extension() == ".toml"; });
 }
 
-/// Every experiment belongs to an item or has a stated purpose.
+/// Checks that every experiment belongs to an item or has a stated purpose.
 void check_experiments(const SceneEntry& root, const Items& items) {
   std::set<std::string> known;
   for (const Item& item : items.items) known.insert(item.experiment);

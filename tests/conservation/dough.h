@@ -10,7 +10,6 @@
 #include <memory>
 #include <string>
 
-#include "solver/core/vector3.h"
 #include "solver/effects/all_effects.h"
 #include "solver/run/ledger.h"
 #include "solver/run/simulation.h"
