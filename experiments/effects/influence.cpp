@@ -9,6 +9,7 @@
 
 #include "analysis/machines/scenes.h"
 #include "experiments/effects/effects.h"
+#include "solver/effects/all_effects.h"
 #include "solver/run/ledger.h"
 #include "solver/run/simulation.h"
 #include "solver/scene/layout.h"
