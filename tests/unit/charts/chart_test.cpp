@@ -130,8 +130,9 @@ TEST(ChartLabels, StayOnThePanel) {
 
 class AWrittenChart : public testing::Test {
  protected:
+  template <class Error = std::invalid_argument>
   std::string error_of(const Chart& chart) const {
-    return message_of<std::exception>([&] { write_chart(chart, folder_.path()); });
+    return message_of<Error>([&] { write_chart(chart, folder_.path()); });
   }
   bool is_empty() const { return std::filesystem::is_empty(folder_.path()); }
   const TemporaryFolder folder_;
@@ -175,7 +176,7 @@ TEST_F(AWrittenChart, WithNothingOnALogarithmicAxisIsRefused) {
 TEST_F(AWrittenChart, WithoutGnuplotSaysWhatToInstall) {
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", folder_.path().c_str(), 1);
-  const std::string said = error_of(a_chart());
+  const std::string said = error_of<InputError>(a_chart());
   ::setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(said, "gnuplot is missing: apt-get install gnuplot-nox fonts-liberation");
   EXPECT_TRUE(is_empty());
@@ -185,7 +186,7 @@ TEST_F(AWrittenChart, ThatGnuplotRefusesRepeatsItsWords) {
   if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
   Chart chart = a_chart();
   chart.panels[0].series[0].colour = "no colour'";
-  const std::string said = error_of(chart);
+  const std::string said = error_of<OutputError>(chart);
   EXPECT_EQ(said.substr(0, 29), "sample: gnuplot failed: line ") << said;
   EXPECT_NE(said.find("color name"), std::string::npos) << said;
   EXPECT_EQ(said.find('\n'), std::string::npos);
