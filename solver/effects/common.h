@@ -8,14 +8,14 @@ namespace bake {
 
 namespace booked {
 BAKE_FIELD(impulse, Impulse, 3, "impulse", "kg m/s", "momentum given by gravity, colliders, grips and faces, less what vapour takes along");
-BAKE_FIELD(angular_impulse, AngularImpulse, 3, "angular_impulse", "kg m^2/s", "angular momentum given by them, about the origin");
+BAKE_FIELD(angular_impulse, AngularImpulse, 3, "angular_impulse", "kg m^2/s", "angular momentum given by gravity, colliders, grips and faces, about the origin");
 BAKE_FIELD(area, Area, 1, "", "m^2", "area that touches air");
 BAKE_FIELD(contact_area, ContactArea, 1, "", "m^2", "area that touches heated colliders");
 }  // namespace booked
 
 namespace total {
 BAKE_FIELD(solid_mass, SolidMass, 1, "solid_mass", "kg", "mass of the solid");
-BAKE_FIELD(volume, Volume, 1, "volume", "m^3", "volume of all particles, V_0 J");
+BAKE_FIELD(volume, Volume, 1, "volume", "m^3", "volume, V_0 J");
 }  // namespace total
 
 struct Common : Effect {

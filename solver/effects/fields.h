@@ -25,7 +25,7 @@ struct Field {
 
 /// Of a particle.
 namespace field {
-BAKE_FIELD(x, Position, 3, "position", "dx", "x_p: from the first node of the particle's home block, which keeps single precision fine");
+BAKE_FIELD(x, Position, 3, "position", "dx", "x_p: position from the first node of the particle's home block, which keeps single precision fine");
 BAKE_FIELD(id, Identity, 1, "id", "", "bits of a whole number that the particle keeps for life");
 BAKE_FIELD(V_0, InitialVolume, 1, "initial_volume", "m^3", "V_p^0: volume at the start");
 BAKE_FIELD(m_s, SolidMass, 1, "solid_mass", "kg", "m_p^s: mass of the solid");
@@ -37,7 +37,7 @@ BAKE_FIELD(b_E, ElasticStrain, 6, "elastic_strain", "1", "b_E - I: elastic left 
 BAKE_FIELD(epsilon, HenckyStrain, 6, "hencky_strain", "1", "epsilon = 1/2 log b_E: elastic Hencky strain [Ding19 Sec. 5.2]");
 BAKE_FIELD(J_P, PlasticVolumeRatio, 1, "plastic_volume_ratio", "1", "J_P: plastic part of J [Ding19 Sec. 5.3]");
 BAKE_FIELD(theta, Temperature, 1, "temperature", "C", "theta_p: temperature [Ding19 Eq. 9, 21]");
-BAKE_FIELD(theta_peak, PeakTemperature, 1, "peak_temperature", "C", "the highest temperature so far: gelatinisation is not undone");
+BAKE_FIELD(theta_peak, PeakTemperature, 1, "peak_temperature", "C", "highest temperature so far, since gelatinisation is not undone");
 BAKE_FIELD(grad_theta, TemperatureGradient, 3, "temperature_gradient", "C/m", "grad theta at the particle [Ding19 Sec. 6.3]");
 BAKE_FIELD(m_w, WaterMass, 1, "water_mass", "kg", "m_p^w: mass of the water [Ding19 Eq. 19]");
 BAKE_FIELD(q, WaterFlux, 3, "water_flux", "kg/(m^2 s)", "q_p = -K theta rho_w grad s: water's flux through the solid [Ding19 Eq. 22]");
@@ -54,12 +54,12 @@ BAKE_FIELD(old_momentum, OldMomentum, 3, "old momentum", "kg m/s", "sum of w m v
 BAKE_FIELD(mass, Mass, 1, "mass", "kg", "sum of w m, the inertial mass");
 BAKE_FIELD(water_mass, NodeWaterMass, 1, "water mass", "kg", "m_i^w: sum of w m_w");
 BAKE_FIELD(water_change, WaterChange, 1, "water change", "kg", "dm_i^w: water that flows to the node in the step [Ding19 Eq. 25]");
-BAKE_FIELD(water_capacity, WaterCapacity, 1, "water capacity", "kg", "sum of w V rho_0^w: the water that would fill the node");
+BAKE_FIELD(water_capacity, WaterCapacity, 1, "water capacity", "kg", "water that would fill the node, sum of w V rho_0^w");
 BAKE_FIELD(evaporability, Evaporability, 1, "evaporability", "kg m/s", "sum of w V beta_w theta [Ding19 Sec. 6.2]");
 BAKE_FIELD(volume, Volume, 1, "volume", "m^3", "V_i: sum of w V [Ding19 Eq. 18]");
 BAKE_FIELD(heat_capacity, HeatCapacity, 1, "heat capacity", "J/K", "c_i: sum of w c");
 BAKE_FIELD(heat_content, HeatContent, 1, "heat content", "J", "sum of w c theta");
-BAKE_FIELD(heat_change, HeatChange, 1, "heat change", "J", "heat that comes to the node in the step [Ding19 Eq. 9]");
+BAKE_FIELD(heat_change, HeatChange, 1, "heat change", "J", "dq_i: heat that comes to the node in the step [Ding19 Eq. 9]");
 
 BAKE_FIELD(velocity, NodeVelocity, 3, "node velocity", "m/s", "v_i: after the step");
 BAKE_FIELD(old_velocity, OldNodeVelocity, 3, "old node velocity", "m/s", "v_i before the step (FLIP)");

@@ -18,7 +18,7 @@ BAKE_FIELD(expansion_heat, ExpansionHeat, 1, "expansion_heat", "J", "heat taken 
 }  // namespace booked
 
 namespace total {
-BAKE_FIELD(heat_content, HeatContent, 1, "heat_content", "J", "sum of c theta, from 0 C");
+BAKE_FIELD(heat_content, HeatContent, 1, "heat_content", "J", "heat content, sum of c theta from 0 C");
 BAKE_FIELD(temperature, Temperature, 1, "", "m^3 C", "sum of V theta");
 }  // namespace total
 

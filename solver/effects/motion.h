@@ -13,8 +13,8 @@
 namespace bake {
 
 namespace total {
-BAKE_FIELD(momentum, Momentum, 3, "momentum", "kg m/s", "sum of m v + V q, the water's flux being that of the step before");
-BAKE_FIELD(angular_momentum, AngularMomentum, 3, "angular_momentum", "kg m^2/s", "about the origin, with the affine part");
+BAKE_FIELD(momentum, Momentum, 3, "momentum", "kg m/s", "momentum, sum of m v + V q, the water's flux being that of the step before");
+BAKE_FIELD(angular_momentum, AngularMomentum, 3, "angular_momentum", "kg m^2/s", "angular momentum about the origin, with the affine part");
 BAKE_FIELD(kinetic, Kinetic, 1, "kinetic", "J", "kinetic energy of the inertial mass, with the affine part");
 }  // namespace total
 

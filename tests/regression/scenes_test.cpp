@@ -164,7 +164,7 @@ TEST(PouringScene, WhatIsPouredIsBookedAndKeepsItsVolume) {
   const Baked run("features/pouring.toml", 48);
   ASSERT_NO_FATAL_FAILURE(expect_finished(run, 48));
   const double mass = run["solid_mass_kg"].back(), poured = mass / 1000;  // of 1000 kg/m^3
-  EXPECT_NEAR(run["emitted_solid_kg"].back(), mass, 1e-6 * mass);
+  EXPECT_NEAR(run["emitted_solid_mass_kg"].back(), mass, 1e-6 * mass);
   // 1 s through a spout of 2.5 cm at 0.25 m/s, to one portion (2 cm of the 25 cm poured) and the spout's rim on the grid (10 %).
   const double wanted = std::numbers::pi * 0.025 * 0.025 * 0.25;
   EXPECT_NEAR(poured, wanted, (2.0 / 25 + 0.1) * wanted);

@@ -237,7 +237,7 @@ TEST_F(ResultsOfARun, AreNotThereBeforeItIsDone) {
 
 TEST_F(ResultsOfARun, TellGainsAndWhatTheBooksDoNotExplain) {
   const Results run =
-      results("time_s,volume_m3,solid_mass_kg,retired_solid_kg,emitted_solid_kg\n0,1,2,0,0\n1,2,1.5,0.5,0\n2,1.5,2.25,0.5,0.5\n");
+      results("time_s,volume_m3,solid_mass_kg,retired_solid_mass_kg,emitted_solid_mass_kg\n0,1,2,0,0\n1,2,1.5,0.5,0\n2,1.5,2.25,0.5,0.5\n");
   EXPECT_DOUBLE_EQ(find_metric("solid_drift").of_run(run, {}), 0.125);
   EXPECT_EQ(find_metric("volume_gain").of_run(run, {}), 1.5);
   EXPECT_FALSE(std::isfinite(find_metric("volume_gain").of_run(results("time_s,volume_m3\n0,0\n1,1\n"), {}))) << "a gain over nothing";

@@ -6,7 +6,7 @@
 # there is nothing to take out.
 take_out() { # <effect> <root of the copy>
   local file=$2/solver/effects/$1.h
-  awk '/^  using Stored/ { print "  template <class Real>\n  struct Constants;\n  template <class... Any>\n  static void fill(Any&&...);"; gone = 1 }
+  awk '/^  using (Stored|Moments|Values) / && !gone { print "  template <class Real>\n  struct Constants;\n  template <class... Any>\n  static void fill(Any&&...);"; gone = 1 }
        /^};/ { gone = 0 }
        !gone' "$file" >"$file.less"
   if cmp -s "$file" "$file.less"; then return 1; fi

@@ -144,7 +144,8 @@ TEST_F(ACheckpoint, MustBeOfThisFormat) {
   auto text = contents(path_);
   text.replace(0, 17, "bake checkpoint 9");
   put(path_, text);
-  EXPECT_TRUE(has(refusal(), "written in checkpoint format 9, this program reads format 1")) << refusal();
+  EXPECT_TRUE(has(refusal(), "written in checkpoint format 9, this program reads format " + std::to_string(k_checkpoint_format)))
+      << refusal();
 }
 
 TEST_F(ACheckpoint, MustFitSceneAndPrecision) {
