@@ -24,7 +24,7 @@ void add_compare_textbook_command(CLI::App& app, Action& action);
 void add_compare_command(CLI::App& app, Action& action);  ///< compare: benchmarks
 void add_help_commands(CLI::App& app, Action& action);    ///< explain, version
 
-/// "bake 0.1.0" and the commit it was built from.
+/// "bake 0.2.0" and the commit it was built from.
 std::string version_line();
 
 /// The default folder of a scene's results: results/<scene>-<quality>.

@@ -25,7 +25,8 @@ struct Field {
 
 /// Of a particle.
 namespace field {
-BAKE_FIELD(x, Position, 3, "position", "dx", "x_p: position from the first node of the particle's home block, which keeps single precision fine");
+BAKE_FIELD(x, Position, 3, "position", "dx",
+           "x_p: position from the first node of the particle's home block, which keeps single precision fine");
 BAKE_FIELD(id, Identity, 1, "id", "", "bits of a whole number that the particle keeps for life");
 BAKE_FIELD(V_0, InitialVolume, 1, "initial_volume", "m^3", "V_p^0: volume at the start");
 BAKE_FIELD(m_s, SolidMass, 1, "solid_mass", "kg", "m_p^s: mass of the solid");

@@ -18,7 +18,8 @@ BAKE_FIELD(latent_heat, LatentHeat, 1, "latent_heat", "J", "heat taken by evapor
 BAKE_FIELD(vapour_heat, VapourHeat, 1, "vapour_heat", "J", "heat content of the water that evaporated, from 0 C");
 BAKE_FIELD(remap_heat, RemapHeat, 1, "water_remap_heat", "J",
            "heat that the water's move between particles added beyond what its move between nodes did");
-BAKE_FIELD(remap_momentum, RemapMomentum, 3, "water_remap_momentum", "kg m/s", "momentum that the water's move between particles added beyond what its move between nodes did");
+BAKE_FIELD(remap_momentum, RemapMomentum, 3, "water_remap_momentum", "kg m/s",
+           "momentum that the water's move between particles added beyond what its move between nodes did");
 }  // namespace booked
 
 namespace total {

@@ -18,6 +18,8 @@ namespace bake {
 
 namespace {
 
+constexpr double k_usual_speed = 1e7;  ///< particle-steps a second of an ordinary machine, for the estimate of time
+
 /// At least: a particle in the list of new ones, its columns twice, as whenever they are sorted, and its motion at the start.
 template <class Real>
 double bytes_per_particle(const Scene& scene) {
@@ -67,7 +69,7 @@ void check_size(const Scene& scene) {
   for (const ShapeToFill& s : shapes_to_fill(scene)) {
     const FillingSize size = estimate_filling(*s.shape, s.spacing);
     const double poisson_cells = s.filling == Filling::poisson ? size.places * std::pow(std::sqrt(3) / k_poisson_radius, 3) : 0;
-    memory.take(s.name, fmt::format("about {:.2g} particles", size.points),
+    memory.take(s.name, fmt::format("about {:.2g} particles, which take about {:.2g} s a step", size.points, size.points / k_usual_speed),
                 size.points * per_particle + poisson_cells * sizeof(std::int32_t));
     if (size.places > k_most_places)
       throw InputError(

@@ -74,7 +74,8 @@ TEST(Validate, RefusesAFileOfParticlesThatCannotBeUsed) {
 TEST(Validate, RefusesWhatDoesNotFitIntoMemory) {
   expect_refused(set("grid.dx_m=1e-7"), "dough.toml: domain: found about ");
   expect_refused(set("domain.max_m=[1e4,1e4,1e4]") + set("body.0.shape={sphere={centre_m=[5e3,5e3,5e3],radius_m=4e3}}"), "domain: found");
-  expect_refused(set("body.0.shape={sphere={centre_m=[0.1,0.1,0.1],radius_m=1e9}}"), "body.0: found about 3.9e+32 particles (at least ");
+  expect_refused(set("body.0.shape={sphere={centre_m=[0.1,0.1,0.1],radius_m=1e9}}"),
+                 "body.0: found about 3.9e+32 particles, which take about 3.9e+25 s a step (at least ");
   expect_refused(set("body.0.shape=" + k_ball_and_crumb + "{ sphere = { centre_m = [1e4, 1e4, 1e4], radius_m = 0.001 } }] }"),
                  "found bounds with room for about ");
 }
