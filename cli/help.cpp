@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "solver/core/errors.h"
 #include "solver/io/provenance.h"
 #include "solver/run/ledger.h"
 #include "solver/scene/explain.h"
@@ -22,6 +23,21 @@ std::string version_line() {
                                          : "");
 }
 
+namespace {
+
+/// Scene keys and columns of results may have the same name: then both are told of.
+std::string explain_key_or_column(const std::string& name) {
+  const std::string column = name.empty() ? "" : explain_column(name);
+  try {
+    return explain(name) + (column.empty() ? "" : "\n" + column);
+  } catch (const InputError&) {
+    if (column.empty()) throw;
+    return column;
+  }
+}
+
+}  // namespace
+
 void add_help_commands(CLI::App& app, Action& action) {
   auto key = std::make_shared<std::string>();
   CLI::App& explain_command = *app.add_subcommand("explain", "Say what a scene key or a column of results means");
@@ -29,8 +45,7 @@ void add_help_commands(CLI::App& app, Action& action) {
       "key", *key, "a key, a table, an effect, a shape, or a column of the ledger or of frames; without it, an overview of all keys");
   explain_command.callback([key, &action] {
     action = [key] {
-      const std::string column = key->empty() ? "" : explain_column(*key);
-      fmt::print("{}", column.empty() ? explain(*key) : column);
+      fmt::print("{}", explain_key_or_column(*key));
       return k_success;
     };
   });

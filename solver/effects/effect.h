@@ -14,7 +14,7 @@
 //     totals(p, k, step, report)          sums and extremes for the ledger, when it asks for them
 //     conductance(p, k)                   kappa V, for backward Euler
 //   once
-//     largest_step(most, at, limit)       the step that each of `Bounds` allows, and the reason
+//     largest_step(most, at, scene, limit)   the step that each of `Bounds` allows, and the reason
 //     describe(model, scene)              what the engine does for the effect (solver/engine/physics.h)
 //     show(frame)                         what a frame shows of its particles
 //     ledger(columns)                     columns of the ledger that are computed from others

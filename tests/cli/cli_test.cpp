@@ -108,6 +108,13 @@ TEST(CommandLine, UnknownKeysAreNotExplained) {
   expect_refused(place, "explain run.ends_s", "run.end_s");
 }
 
+TEST(CommandLine, KeysAndColumnsOfOneNameAreBothExplained) {
+  const Workplace place;
+  expect_success(place, "explain heat_content_J", "a column of ledger.csv");
+  expect_success(place, "explain saturation", "a column of frames");
+  expect_success(place, "explain saturation", "body.saturation");
+}
+
 TEST(CommandLine, ScenesAreFoundByNameFromAnyFolderBelow) {
   const Workplace place;
   expect_success(place, "validate dough", "dough.toml: valid");
