@@ -87,19 +87,23 @@ struct Model<Real, Effects...>::Books {
 
   template <class Q>
   BAKE_INLINE void book(Q, V amount, int i = 0) {
+    static_assert(Booked::template has<Q>, "no effect of this model lists that quantity in Booked");
     report.booked[Booked::template offset<Q> + i] += report.alive * amount;
   }
   template <class Q>
   void add(Q, V amount, int i = 0) {
+    static_assert(Totals::template has<Q>, "no effect of this model lists that quantity in Totals");
     report.totals[static_cast<std::size_t>(Totals::template offset<Q> + i)] += sum_lanes(report.alive * amount);
   }
   template <class Q>
   BAKE_INLINE void highest(Q, V value) {
+    static_assert(Highest::template has<Q>, "no effect of this model lists that quantity in Highest");
     V& most = report.highest[Highest::template offset<Q>];
     most = max(most, value);
   }
   template <class Q>
   BAKE_INLINE void bound(Q, V value) {
+    static_assert(Bounds::template has<Q>, "no effect of this model lists that quantity in Bounds");
     V& most = report.bounds[Bounds::template offset<Q>];
     most = max(most, value);
   }
@@ -111,6 +115,7 @@ struct Model<Real, Effects...>::NodeBooks {
   Budget& budget;
   template <class Q>
   BAKE_INLINE void book(Q, V amount) {
+    static_assert(Booked::template has<Q>, "no effect of this model lists that quantity in Booked");
     budget[static_cast<std::size_t>(Booked::template offset<Q>)] += sum_lanes(amount);
   }
 };
@@ -201,6 +206,7 @@ struct Model<Real, Effects...>::From {
   int stride;
   template <class C>
   BAKE_INLINE V value(C, int i = 0) const {
+    static_assert(Gathered::template has<C>, "no effect of this model gathers that channel");
     return gathered[Gathered::template offset<C> + i];
   }
   template <class C>
@@ -223,6 +229,7 @@ struct Model<Real, Effects...>::To {
   V moments[k_moments > 0 ? k_moments : 1][3];  ///< coefficient of r = x_i - x_p [1/m]
   template <class C>
   BAKE_INLINE V& value(C, int i = 0) {
+    static_assert(Scattered::template has<C>, "no effect of this model scatters that channel");
     return values[Scattered::template offset<C> + i];
   }
   template <class C>
@@ -252,6 +259,7 @@ struct Model<Real, Effects...>::Node {
   }
   template <class C>
   BAKE_INLINE V& out(C, int i = 0) {
+    static_assert(Gathered::template has<C>, "no effect of this model gathers that channel");
     return gathered[Gathered::template offset<C> + i];
   }
 };
@@ -430,7 +438,10 @@ void Model<Real, Effects...>::update_nodes(const V* scattered, V* gathered, Node
 
 template <class Real, class... Effects>
 void Model<Real, Effects...>::limit_step(const bake::Bounds& most, const StepScale& at, const Scene& scene, StepLimit& limit) const {
-  const auto of = [&]<class Q>(Q) { return most[static_cast<std::size_t>(Bounds::template offset<Q>)]; };
+  const auto of = [&]<class Q>(Q) {
+    static_assert(Bounds::template has<Q>, "no effect of this model lists that quantity in Bounds");
+    return most[static_cast<std::size_t>(Bounds::template offset<Q>)];
+  };
   const auto one = [&]<class Effect>() { BAKE_CALL(Effect, largest_step, of, at, scene, limit); };
   (one.template operator()<Effects>(), ...);
 }
