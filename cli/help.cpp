@@ -27,7 +27,7 @@ namespace {
 
 /// Scene keys and columns of results may have the same name: then both are told of.
 std::string explain_key_or_column(const std::string& name) {
-  const std::string column = name.empty() ? "" : explain_column(name);
+  std::string column = name.empty() ? "" : explain_column(name);
   try {
     return explain(name) + (column.empty() ? "" : "\n" + column);
   } catch (const InputError&) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "solver/run/ledger.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "solver/effects/all_effects.h"
@@ -34,8 +36,8 @@ class Columns {
   void add(Q, const std::string& prefix, const char* how, Value value) {
     if (std::string_view(Q::name).empty()) return;
     for (int i = 0; i < Q::width; ++i) {
-      const std::string axis = Q::width == 3 ? std::string("_") + "xyz"[i] : "";
-      all_.push_back({prefix + Q::name + axis + as_suffix(Q::unit), Q::unit, Q::meaning, how, effect_,
+      const std::string axis = Q::width == 3 ? fmt::format("_{}", "xyz"[i]) : "";
+      all_.push_back({fmt::format("{}{}{}{}", prefix, Q::name, axis, as_suffix(Q::unit)), Q::unit, Q::meaning, how, effect_,
                       [value, i](const Simulation& now) { return value(now, i); }});
     }
   }

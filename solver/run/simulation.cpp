@@ -149,7 +149,7 @@ class SimulationOf final : public Simulation {
       values.reserve(slots.size());
       for (const ParticleSlot& p : slots)
         values.push_back(static_cast<float>(column.value(p.columns, p.lane, engine_.store().tiles[p.tile].material)));
-      frame.columns.push_back({column.name.c_str(), column.unit.c_str(), std::span<const float>(values)});
+      frame.columns.push_back({column.name, column.unit, std::span<const float>(values)});
     }
     write_frame(path, engine_.time(), frame);
   }
@@ -173,7 +173,7 @@ class SimulationOf final : public Simulation {
   template <class Numbers>
   static double number(const std::vector<typename Physics<Real>::Quantity>& list, const Numbers& numbers, std::string_view symbol, int i) {
     for (const auto& q : list)
-      if (q.name == symbol) return numbers[static_cast<std::size_t>(q.first + i)];
+      if (q.name == symbol) return numbers[static_cast<std::size_t>(q.first) + static_cast<std::size_t>(i)];
     return 0;
   }
 
