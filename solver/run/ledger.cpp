@@ -38,13 +38,14 @@ class Columns {
     for (int i = 0; i < Q::width; ++i) {
       const std::string axis = Q::width == 3 ? fmt::format("_{}", "xyz"[i]) : "";
       all_.push_back({fmt::format("{}{}{}{}", prefix, Q::name, axis, as_suffix(Q::unit)), Q::unit, Q::meaning, how, effect_,
-                      [value, i](const Simulation& now) { return value(now, i); }});
+                      [value, i](const Simulation& now, const Box3&) { return value(now, i); }});
     }
   }
   /// A column that is made of others.
   template <class Value>
   void made(const char* name, const char* unit, const char* meaning, Value value) {
-    all_.push_back({name + as_suffix(unit), unit, meaning, k_at_frame, effect_, [value](const Simulation& now) { return value(now); }});
+    all_.push_back(
+        {name + as_suffix(unit), unit, meaning, k_at_frame, effect_, [value](const Simulation& now, const Box3&) { return value(now); }});
   }
 
  private:
@@ -72,8 +73,9 @@ void add_passing(std::vector<LedgerColumn>& all, const char* effect) {
 std::vector<LedgerColumn> make_ledger() {
   std::vector<LedgerColumn> all;
   Columns run(all, "");
-  const auto extent = [](std::size_t axis) {
-    return [axis](const Simulation& now) { return now.particles() == 0 ? 0 : now.extent().high[axis] - now.extent().low[axis]; };
+  const auto add_extent = [&](const char* name, const char* meaning, std::size_t axis) {
+    all.push_back({name, "m", meaning, k_at_frame, "",
+                   [axis](const Simulation& now, const Box3& box) { return now.particles() == 0 ? 0 : box.high[axis] - box.low[axis]; }});
   };
   run.made("time", "s", "simulated time", [](const Simulation& now) { return now.time(); });
   run.made("steps", "1", "time steps so far", [](const Simulation& now) { return double(now.counters().steps); });
@@ -83,9 +85,9 @@ std::vector<LedgerColumn> make_ledger() {
            [](const Simulation& now) { return double(now.counters().retired); });
   run.made("clamped_particles", "1", "times that a particle was held at a closed face",
            [](const Simulation& now) { return double(now.counters().clamped); });
-  run.made("height", "m", "extent of the particles along z", extent(2));
-  run.made("extent_x", "m", "extent of the particles along x", extent(0));
-  run.made("extent_y", "m", "extent of the particles along y", extent(1));
+  add_extent("height_m", "extent of the particles along z", 2);
+  add_extent("extent_x_m", "extent of the particles along x", 0);
+  add_extent("extent_y_m", "extent of the particles along y", 1);
   add_columns<Common>(all, "");
   for_each_effect([&]<class E>() { add_columns<E>(all, E::name); });
   add_passing<Common>(all, "");
@@ -108,7 +110,8 @@ std::vector<std::string> ledger_columns() {
 
 std::vector<double> ledger_row(const Simulation& simulation) {
   std::vector<double> row;
-  for (const LedgerColumn& column : ledger()) row.push_back(column.value(simulation));
+  const Box3 extent = simulation.extent();
+  for (const LedgerColumn& column : ledger()) row.push_back(column.value(simulation, extent));
   return row;
 }
 

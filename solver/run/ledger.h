@@ -7,18 +7,20 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/boundary/shape.h"
+
 namespace bake {
 
 class Simulation;
 struct Scene;
 
 struct LedgerColumn {
-  std::string name;     ///< in ledger.csv: "heat_content_J"
-  std::string unit;     ///< "J"
-  std::string meaning;  ///< one sentence without its full stop
-  std::string how;      ///< how its number comes about
-  std::string effect;   ///< whose it is; empty: of every run
-  std::function<double(const Simulation&)> value;
+  std::string name;                                                    ///< in ledger.csv: "heat_content_J"
+  std::string unit;                                                    ///< "J"
+  std::string meaning;                                                 ///< one sentence without its full stop
+  std::string how;                                                     ///< how its number comes about
+  std::string effect;                                                  ///< whose it is; empty: of every run
+  std::function<double(const Simulation&, const Box3& extent)> value;  ///< `extent`: of the particles, found once a row
 };
 
 /// All columns in their order; those of effects that a scene does not list are zero.

@@ -46,7 +46,7 @@ TEST(Ledger, OfAnEffectThatIsNotListedIsZero) {
   const auto s = dough.begin();
   for (const LedgerColumn& c : ledger()) {
     if (is_of_scene(dough.scene(), c.name)) continue;
-    EXPECT_EQ(c.value(*s), 0) << c.name;
+    EXPECT_EQ(c.value(*s, s->extent()), 0) << c.name;
   }
   EXPECT_TRUE(is_of_scene(dough.scene(), "temperature_max_C"));
   EXPECT_FALSE(is_of_scene(dough.scene(), "water_mass_kg"));
