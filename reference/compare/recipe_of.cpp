@@ -16,7 +16,7 @@ template <class... Structs>
 constexpr std::size_t k_keys = (0 + ... + std::tuple_size_v<decltype(Structs::parameters())>);
 static_assert(
     k_keys<DomainSettings, GridSettings, SurfaceSettings, Oven, Material, Body, Collider, Grip, Emitter> == 58 &&
-        k_keys<Motion::Settings, Heat::Settings, Water::Settings, Elasticity::Settings, Plasticity::Settings, Leavening::Settings> == 17 &&
+        k_keys<Motion::Settings, Heat::Settings, Water::Settings, Elasticity::Settings, Plasticity::Settings, Leavening::Settings> == 19 &&
         k_keys<Heat::Material, Water::Material, Elasticity::Material, Plasticity::Material, Leavening::Material> == 16,
     "scenes have another number of keys: hand the new one to the textbook or refuse it here, so that it is not left out silently");
 
@@ -132,6 +132,8 @@ textbook::Recipe recipe_of(const Scene& scene) {
   r.heat_transfer_form = plain(heat.heat_transfer_form);
   r.expansion_form = plain(heat.expansion_form);
   r.water_form = plain(scene.of<Water>().form);
+  r.heat_subgrid = heat.subgrid_diffusion;
+  r.water_subgrid = scene.of<Water>().subgrid_diffusion;
   r.alpha_w = heat.water_specific_heat_J_per_kgK;
   r.latent_heat = scene.of<Water>().latent_heat_J_per_kg;
   r.leavening_form = plain(scene.of<Leavening>().form);

@@ -23,7 +23,7 @@ void Baker::add(const Beginning& b) {
   p.C = p.grad_v = {{{0, -b.angular_velocity[2], b.angular_velocity[1]},
                      {b.angular_velocity[2], 0, -b.angular_velocity[0]},
                      {-b.angular_velocity[1], b.angular_velocity[0], 0}}};
-  p.V_0 = b.volume;
+  p.V_0 = p.V_before = b.volume;
   p.theta = p.theta_peak = recipe_.heat ? b.theta : m.theta_0;
   p.c = b.leavener;
   // The density is that of the mixture at the material's own saturation: a wetter body has more water on the same solid.
@@ -50,7 +50,8 @@ void Baker::round_to_single() {
       for (double& number : row) round(number);
   };
   for (Particle& p : particles_) {
-    for (double* number : {&p.V_0, &p.m_s, &p.J, &p.J_P, &p.theta, &p.theta_peak, &p.m_w, &p.nu, &p.c}) round(*number);
+    for (double* number : {&p.V_0, &p.m_s, &p.J, &p.J_P, &p.theta, &p.theta_peak, &p.theta_lent, &p.m_w, &p.m_w_lent, &p.nu, &p.c})
+      round(*number);
     for (Vector* v : {&p.x, &p.v, &p.grad_theta, &p.q, &p.Q_scattered}) round_all(*v);
     Matrix strain = p.b_E - identity();  // small beside I, and of its own precision
     for (Matrix* a : {&p.C, &p.grad_v, &p.tau, &strain}) round_matrix(*a);
@@ -94,7 +95,7 @@ void Baker::update_nodes(double dt, const Surroundings& surroundings) {
   }
   grid_.for_each([&](const Index& i, Node& node) {
     if (!(node.volume > 0)) return;
-    if (recipe_.water) update_water(surroundings.air, dt, node);
+    if (recipe_.water) update_water(recipe_, surroundings.air, dt, node);
     if (recipe_.heat) {
       node.held = held_temperature(recipe_, surroundings, grid_.position(i));
       update_heat(recipe_, dt, node);
@@ -117,12 +118,12 @@ void Baker::gather(double dt, const Surroundings& surroundings) {
     SeenHeat heat;
     for_each_node(grid_, p.x, recipe_.kernel, [&](const Index& i, const Overlap& o) {
       velocity.add(grid_[i], o, D);
-      water.add(grid_[i], o);
+      water.add(grid_[i], o, recipe_.water_form);
       heat.add(grid_[i], o);
     });
     if (recipe_.motion) move(velocity, recipe_, dt, p);
-    if (recipe_.heat) take_heat(heat, p);
-    if (recipe_.water) take_water(water, m, p);
+    if (recipe_.heat) take_heat(heat, recipe_, m, dt, p);
+    if (recipe_.water) take_water(water, recipe_, m, dt, p);
     if (recipe_.elasticity) p.b_E = trial_strain(p, dt);
     if (recipe_.plasticity) return_mapping(recipe_, m, dt, p);
     if (recipe_.leavening) react(m, dt, p);

@@ -22,9 +22,11 @@ struct Node {
   double water_flux = 0;     ///< what the step brings [kg]
   double water_room = 0;     ///< rho_w V: the water that would fill the node [kg]
   double evaporability = 0;  ///< beta_w theta V [kg m/s]
+  double permeability = 0;   ///< rho_w K theta V [kg m^2/s]
   double heat_capacity = 0;  ///< [J/K]
   double heat_content = 0;   ///< [J]
   double heat_change = 0;    ///< what the step brings [J]
+  double conductivity = 0;   ///< kappa V [W m^2/K]
   // surroundings
   double area = 0;                  ///< A_i, touching air [m^2]
   double heat_transfer = 0;         ///< sum A beta, of air and solids [W/K]

@@ -22,6 +22,9 @@ inline double thermal_stress_per_degree(const Recipe& recipe, const Material& m)
 inline void scatter_heat(const Particle& p, const Recipe& recipe, const Material& m, const Overlap& o, Node& node) {
   node.heat_capacity += o.w * heat_capacity(p, recipe, m);
   node.heat_content += o.w * heat_capacity(p, recipe, m) * p.theta;
+  // what subgrid diffusion gave in the last step is taken back
+  node.heat_change -= o.w * (heat_capacity(p, recipe, m) * p.theta_lent + recipe.alpha_w * p.m_w_lent * (p.theta - p.theta_lent));
+  node.conductivity += o.w * m.kappa * p.V();
 }
 
 /// - dt V kappa grad theta . grad w
@@ -30,10 +33,11 @@ inline void scatter_conduction(const Particle& p, const Material& m, double dt, 
   node.heat_change -= dt * p.V() * m.kappa * dot(p.grad_theta, o.grad_w);
 }
 
-/// - dt w V_0 beta_T theta_K div v: the heat that expansion takes.
+/// - dt w V_0 beta_T theta_K d(tr epsilon)/dt: the heat that elastic expansion takes; as printed, with div v.
 inline void scatter_expansion(const Particle& p, const Recipe& recipe, const Material& m, double dt, const Overlap& o, Node& node) {
   const double theta = recipe.expansion_form == Form::published ? p.theta : p.theta + k_zero_celsius;
-  node.heat_change -= dt * o.w * p.V_0 * thermal_stress_per_degree(recipe, m) * theta * p.div_v();
+  node.heat_change -= dt * o.w * p.V_0 * thermal_stress_per_degree(recipe, m) * theta *
+                      (recipe.expansion_form == Form::published ? p.div_v() : p.div_v() - p.dilation);
 }
 
 /// + dt alpha_w theta V q . grad w: water brings its heat with it; what the printed div v term of (25) takes away, takes it along.
@@ -65,20 +69,36 @@ inline void update_heat(const Recipe& recipe, double dt, Node& node) {
 
 /// What a particle sees of the nodes' temperatures.
 struct SeenHeat {
-  double change = 0;  ///< [K]
-  Vector grad_theta;  ///< [C/m]
+  double change = 0, theta = 0;  ///< [K], [C]
+  Vector grad_theta;             ///< [C/m]
 
   void add(const Node& node, const Overlap& o) {
     change += o.w * node.theta_change;
+    theta += o.w * node.theta;
     grad_theta += node.theta * o.grad_w;
   }
 };
 
-/// theta += sum w (theta_i' - theta_i)   [Ding19 Eq. 21]
-inline void take_heat(const SeenHeat& seen, Particle& p) {
+/// Of a difference between a particle and its nodes, the share that goes in a step: x / (1 + x), x = rate dt diffusivity / dx^2.
+inline double evened_out(double rate, double diffusivity, double dt, double dx) {
+  const double x = rate * dt * diffusivity / (dx * dx);
+  return x / (1 + x);
+}
+
+/// theta += sum w (theta_i' - theta_i)   [Ding19 Eq. 21], then subgrid diffusion
+/// DEPARTS [Ding19 Eq. 21]: without it, what differs within a cell stays for ever.
+inline void take_heat(const SeenHeat& seen, const Recipe& recipe, const Material& m, double dt, Particle& p) {
   p.theta += seen.change;
+  const double diffusivity = m.kappa * p.V() / heat_capacity(p, recipe, m);
+  p.theta_lent = evened_out(recipe.heat_subgrid, diffusivity, dt, recipe.dx) * (seen.theta - p.theta);
+  p.theta += p.theta_lent;
   p.theta_peak = std::max(p.theta_peak, p.theta);
   p.grad_theta = seen.grad_theta;
+}
+
+/// 3 alpha_l (theta - theta_0): the volumetric strain that is free of stress.
+inline double thermal_strain(const Particle& p, const Recipe& recipe, const Material& m) {
+  return recipe.heat && recipe.expansion_form == Form::standard ? 3 * m.alpha_l * (p.theta - m.theta_0) : 0;
 }
 
 /// beta_T (theta - theta_0), as a pressure; as printed c lambda J theta per volume now, with c = beta_T / lambda   [Ding19 Eq. 10]

@@ -13,7 +13,7 @@ inline void scatter_momentum(const Particle& p, const Recipe& recipe, const Over
   const double m = recipe.inertia_scale * p.mass();
   const Vector v = recipe.transfer == Transfer::apic ? p.v + p.C * o.r : p.v;
   node.mass += o.w * m;
-  node.momentum += (o.w * m) * v;
+  node.momentum += (o.w * recipe.inertia_scale * (p.mass() - p.m_w_lent)) * v;  // without what subgrid diffusion lent
   node.old_momentum += (o.w * m) * p.v;
 }
 
@@ -49,6 +49,7 @@ inline void move(const SeenVelocity& seen, const Recipe& recipe, double dt, Part
   p.v = recipe.transfer == Transfer::flip ? seen.v + recipe.flip_blend * (p.v - seen.old_v) : seen.v;
   p.C = seen.affine;
   p.grad_v = seen.gradient;
+  p.V_before = p.V();
   p.J *= determinant(identity() + dt * p.grad_v);
 }
 

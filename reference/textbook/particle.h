@@ -20,13 +20,17 @@ struct Particle {
   Matrix C;                 ///< affine velocity [1/s]
   Matrix grad_v;            ///< [1/s]; the same as C if gradients are moments
   double J = 1;             ///< V / V_0
+  double V_before = 0;      ///< V of which the nodes know [m^3]
   Matrix b_E = identity();  ///< elastic left Cauchy-Green strain
   double J_P = 1;           ///< plastic part of J
+  double dilation = 0;      ///< d ln J_P / dt [1/s]
   Matrix tau;               ///< Kirchhoff stress of the mixture [Pa]
   double theta = 0;         ///< [C]
   double theta_peak = 0;    ///< highest theta so far [C]
+  double theta_lent = 0;    ///< what subgrid diffusion gave and the nodes take back in the next step [K]
   Vector grad_theta;        ///< [C/m]
   double m_w = 0;           ///< mass of water [kg]
+  double m_w_lent = 0;      ///< as theta_lent [kg]
   Vector q;                 ///< flux of water relative to the solid [kg/(m^2 s)]
   Vector Q_scattered;       ///< V q, as the last scatter knew it [kg m/s]
   double nu = 0;            ///< gas made, per initial volume [mol/m^3]

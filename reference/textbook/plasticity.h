@@ -3,6 +3,7 @@
 #pragma once
 
 #include "reference/textbook/elasticity.h"
+#include "reference/textbook/heat.h"
 
 namespace bake::textbook {
 
@@ -57,14 +58,16 @@ struct ViscousReturn {
   }
 };
 
-/// Maps a trial state back towards the yield surface: new b_E and J_P.   [Ding19 Eq. 11-12, Sec. 6.5]
+/// Maps a trial state back towards the yield surface: new b_E and J_P. The stress is the solid's, C : (epsilon - thermal strain).
+/// [Ding19 Eq. 10-12, Sec. 6.5]
 inline void return_mapping(const Recipe& recipe, const Material& m, double dt, Particle& p) {
   const Matrix epsilon = hencky_strain(p.b_E);
   const double volumetric = trace(epsilon);
   const Matrix deviator = epsilon - (volumetric / 3) * identity();
   const double n = std::clamp(plastic_porosity(p, m, recipe.porosity_form), k_no_pores, k_only_pores);
   ViscousReturn flow;
-  flow.p_tr = -m.bulk() * volumetric;
+  const double unstressed = thermal_strain(p, recipe, m);
+  flow.p_tr = -m.bulk() * (volumetric - unstressed);
   flow.q_tr = std::sqrt(1.5 * frobenius_squared(2 * m.mu() * deviator));
   flow.a = n <= k_no_pores && flow.p_tr > 0 ? 0 : cap(n);  // without pores there is nothing to compact
   flow.K = m.bulk();
@@ -72,9 +75,11 @@ inline void return_mapping(const Recipe& recipe, const Material& m, double dt, P
   flow.tau_y = of_temperature(m.tau_y, p, m);
   flow.eta_per_dt = of_temperature(m.eta, p, m) / dt;
   flow.norm = recipe.norm;
+  p.dilation = 0;
   if (!flow.flows()) return;
   const double z = flow.solve();
-  const double mapped_volumetric = volumetric / (1 + flow.a * flow.K * z);
+  const double mapped_volumetric = unstressed + (volumetric - unstressed) / (1 + flow.a * flow.K * z);
+  p.dilation = dt > 0 ? (volumetric - mapped_volumetric) / dt : 0;
   p.J_P *= std::exp(volumetric - mapped_volumetric);  // what is no longer elastic is plastic
   p.b_E = left_cauchy_green((1 / (1 + 3 * flow.mu * z)) * deviator + (mapped_volumetric / 3) * identity());
 }

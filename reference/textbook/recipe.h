@@ -74,11 +74,15 @@ struct Recipe {
   Form heat_transfer_form = Form::standard, expansion_form = Form::standard, water_form = Form::standard, leavening_form = Form::standard,
        porosity_form = Form::standard, surface_form = Form::standard;
   Norm norm = Norm::distance;
+  double heat_subgrid = 1, water_subgrid = 1;    ///< rate of subgrid diffusion, in units of the diffusivity over dx^2
   double alpha_w = 0;                            ///< heat capacity of water per mass [J/(kg K)]
   double latent_heat = 0;                        ///< L_v [J/kg]
   double reference_pressure = k_one_atmosphere;  ///< p_ref [Pa]
   bool pores_open = false;                       ///< pores hold no vacuum
 };
+
+/// How deep below the surface the nodes are that fluxes through it are taken at [m]: dough of that depth resists them.
+inline double layer_depth(const Recipe& recipe) { return recipe.surface_form == Form::standard ? 0.75 * recipe.dx : 0; }
 
 /// A rigid object that touches dough, at one time.
 struct Solid {

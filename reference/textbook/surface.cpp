@@ -77,7 +77,9 @@ struct Behind {
 void measure_surface(const Surroundings& surroundings, Grid& grid) {
   constexpr double k_no_dough = 1e-3;
   const double dx = grid.dx();
-  Field phi{grid}, smooth{grid}, psi{grid}, free{grid}, heat_transfer{grid}, source{grid};
+  Field phi{grid}, smooth{grid}, psi{grid}, free{grid};
+  std::vector<Behind> seen;  // what is in front of surfaces, and how much surface
+  std::vector<Field> facing;
   grid.for_each([&](const Index& i, const Node&) { phi[i] = mirrored_volume(grid, i) / (dx * dx * dx); });
   grid.for_each([&](const Index& i, const Node&) { smooth[i] = blurred(phi, i); });
   grid.for_each([&](const Index& i, const Node&) { psi[i] = std::clamp((smooth[i] - 0.2) / 0.6, 0.0, 1.0); });
@@ -90,14 +92,22 @@ void measure_surface(const Surroundings& surroundings, Grid& grid) {
     const Solid* cover = covering(surroundings, grid.position(i), &outward, 2.5 * dx);
     const Behind behind(cover, surroundings.air);
     free[i] = cover ? 0 : r;
-    heat_transfer[i] = r * behind.beta;
-    source[i] = r * behind.beta * behind.theta;
+    const auto same = [&](const Behind& other) { return other.beta == behind.beta && other.theta == behind.theta; };
+    const auto at = std::find_if(seen.begin(), seen.end(), same);
+    const auto number = static_cast<std::size_t>(at - seen.begin());
+    if (at == seen.end()) seen.push_back(behind), facing.push_back(Field{grid});
+    facing[number][i] = r;
   });
   grid.for_each([&](const Index& i, Node& node) {
     if (node.volume == 0) return;
     node.area = node.volume * blurred(free, i);
-    node.heat_transfer = node.volume * blurred(heat_transfer, i);
-    node.heat_transfer_source = node.volume * blurred(source, i);
+    for (std::size_t b = 0; b < seen.size(); ++b) {
+      double passes = seen[b].beta * node.volume * blurred(facing[b], i);
+      if (passes > 0 && grid.recipe().heat_transfer_form == Form::standard)
+        passes /= 1 + seen[b].beta * layer_depth(grid.recipe()) * node.volume / node.conductivity;
+      node.heat_transfer += passes;
+      node.heat_transfer_source += passes * seen[b].theta;
+    }
   });
 }
 

@@ -2,7 +2,7 @@
 // Water that moves through the solid.   [Ding19 Sec. 3.2, 5.5, 6.2]
 #pragma once
 
-#include "reference/textbook/grid.h"
+#include "reference/textbook/heat.h"
 #include "reference/textbook/particle.h"
 
 namespace bake::textbook {
@@ -12,6 +12,8 @@ inline void scatter_water(const Particle& p, const Material& m, const Overlap& o
   node.water += o.w * p.m_w;
   node.water_room += o.w * m.rho_w * p.V();
   node.evaporability += o.w * m.beta_w * p.clamped_temperature() * p.V();
+  node.permeability += o.w * m.rho_w * m.K * p.clamped_temperature() * p.V();
+  node.water_flux -= o.w * p.m_w_lent;  // what subgrid diffusion gave in the last step is taken back
 }
 
 /// + dt V q . grad w; as printed also - dt w m_w div v   [Ding19 Eq. 25]
@@ -30,15 +32,20 @@ inline void scatter_water_momentum(const Particle& p, const Recipe& recipe, doub
   node.momentum += recipe.inertia_scale * change;
 }
 
+/// s at the surface: what evaporates there comes through a layer of depth d,
+///     rho K theta (s_i^2 - s^2) / (2 d) = beta_w theta (s - s_out),   a = rho K / (2 d beta_w)
+inline double surface_saturation(double s_i, double s_out, double a) {
+  const double b = s_out + a * s_i * s_i;
+  return 2 * b / (1 + std::sqrt(1 + 4 * a * b));
+}
+
 /// m_i^w' = m_i^w + flux - dt A beta_w theta (s - s_out), never below zero; s_i' = m_i^w' / (rho_w V_i)   [Ding19 Eq. 24-25]
-inline void update_water(const Air& air, double dt, Node& node) {
+inline void update_water(const Recipe& recipe, const Air& air, double dt, Node& node) {
   if (!(node.water_room > 0)) return;
-  if (!(node.water > 0)) {
-    node.saturation = node.water / node.water_room;
-    return;
-  }
   const double rate = node.volume > 0 ? node.area * node.evaporability / node.volume : 0;
-  const double s = node.water / node.water_room, after_flux = node.water + node.water_flux;
+  const double s_i = node.water / node.water_room, layer = 2 * layer_depth(recipe) * node.evaporability;
+  const double s = surface_saturation(s_i, air.s_out, node.permeability < 1e12 * layer ? node.permeability / layer : 1e12);
+  const double after_flux = node.water + node.water_flux;
   node.evaporated = std::min(dt * rate * (s - air.s_out), std::max(after_flux, 0.0));
   const double kept = std::max(after_flux - node.evaporated, 0.0);
   node.moved_water = kept - node.water;
@@ -47,19 +54,28 @@ inline void update_water(const Air& air, double dt, Node& node) {
 
 /// What a particle sees of the nodes' water.
 struct SeenWater {
-  double ratio = 0;  ///< sum w dm_i / m_i^w
-  Vector grad_s;     ///< [1/m]
+  double loss = 0, gain = 0;  ///< sum w dm_i / m_i^w and sum w dm_i / (rho_w V_i)
+  double s = 0;
+  Vector grad_s;  ///< [1/m]
 
-  void add(const Node& node, const Overlap& o) {
-    if (node.water > 0) ratio += o.w * node.moved_water / node.water;
+  void add(const Node& node, const Overlap& o, Form form) {
+    const bool by_water = form == Form::published || node.moved_water < 0;
+    if (by_water && node.water > 0) loss += o.w * node.moved_water / node.water;
+    if (!by_water && node.water_room > 0) gain += o.w * node.moved_water / node.water_room;
+    s += o.w * node.saturation;
     grad_s += node.saturation * o.grad_w;
   }
 };
 
-/// m_w *= 1 + sum w dm_i / m_i^w;  q = - K theta rho_w s grad s, rho_w s = m_w / V   [Ding19 Eq. 19, 20, 22]
+/// Losses are shared as the particles' water, gains as their volume; then subgrid diffusion; q = - K theta rho_w s grad s, rho_w s = m_w /
+/// V [Ding19 Eq. 19, 20, 22] DEPARTS [Ding19 Eq. 19]: as printed, gains are shared as the water that is there, and dry dough stays dry.
 /// DEPARTS [Ding19 Eq. 20]: the volume is that of the new time.
-inline void take_water(const SeenWater& seen, const Material& m, Particle& p) {
-  p.m_w *= 1 + seen.ratio;
+inline void take_water(const SeenWater& seen, const Recipe& recipe, const Material& m, double dt, Particle& p) {
+  const double room = m.rho_w * p.V_before;
+  p.m_w += p.m_w * seen.loss + room * seen.gain;
+  const double diffusivity = m.K * p.clamped_temperature() * p.m_w / (m.rho_w * p.V());
+  p.m_w_lent = evened_out(recipe.water_subgrid, diffusivity, dt, recipe.dx) * (room * seen.s - p.m_w);
+  p.m_w += p.m_w_lent;
   p.q = (-m.K * p.clamped_temperature() * p.m_w / p.V()) * seen.grad_s;
 }
 

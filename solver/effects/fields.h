@@ -33,14 +33,21 @@ BAKE_FIELD(m_s, SolidMass, 1, "solid_mass", "kg", "m_p^s: mass of the solid");
 BAKE_FIELD(v, Velocity, 3, "velocity", "m/s", "v_p: velocity of the solid");
 BAKE_FIELD(C, AffineVelocity, 9, "affine_velocity", "1/s", "C_p: velocity gradient, C[3 i + j] = dv_i / dx_j (APIC)");
 BAKE_FIELD(J, VolumeRatio, 1, "volume_ratio", "1", "J_p: volume over initial volume, det F");
+BAKE_FIELD(J_before, VolumeRatioBefore, 1, "volume_ratio_before", "1", "J_p before the step, of which the nodes know");
 BAKE_FIELD(tau, KirchhoffStress, 6, "kirchhoff_stress", "Pa", "tau_p = J sigma: Kirchhoff stress of the mixture; xx yy zz yz xz xy");
 BAKE_FIELD(b_E, ElasticStrain, 6, "elastic_strain", "1", "b_E - I: elastic left Cauchy-Green strain less the identity [Ding19 Sec. 5.2]");
 BAKE_FIELD(epsilon, HenckyStrain, 6, "hencky_strain", "1", "epsilon = 1/2 log b_E: elastic Hencky strain [Ding19 Sec. 5.2]");
 BAKE_FIELD(J_P, PlasticVolumeRatio, 1, "plastic_volume_ratio", "1", "J_P: plastic part of J [Ding19 Sec. 5.3]");
+BAKE_FIELD(plastic_dilation, PlasticDilation, 1, "plastic_dilation", "1/s", "d ln J_P / dt: rate at which volume flows");
 BAKE_FIELD(theta, Temperature, 1, "temperature", "C", "theta_p: temperature [Ding19 Eq. 9, 21]");
 BAKE_FIELD(theta_peak, PeakTemperature, 1, "peak_temperature", "C", "highest temperature so far, since gelatinisation is not undone");
+BAKE_FIELD(thermal_strain, ThermalStrain, 1, "thermal_strain", "1",
+           "3 alpha_l (theta - theta_0): volumetric strain at which the solid is free of stress");
+BAKE_FIELD(theta_lent, LentTemperature, 1, "lent_temperature", "K",
+           "what subgrid diffusion gave in this step; the nodes take it back in the next");
 BAKE_FIELD(grad_theta, TemperatureGradient, 3, "temperature_gradient", "C/m", "grad theta at the particle [Ding19 Sec. 6.3]");
 BAKE_FIELD(m_w, WaterMass, 1, "water_mass", "kg", "m_p^w: mass of the water [Ding19 Eq. 19]");
+BAKE_FIELD(m_w_lent, LentWater, 1, "lent_water", "kg", "what subgrid diffusion gave in this step; the nodes take it back in the next");
 BAKE_FIELD(q, WaterFlux, 3, "water_flux", "kg/(m^2 s)", "q_p = -K theta rho_w grad s: water's flux through the solid [Ding19 Eq. 22]");
 BAKE_FIELD(Q, WaterMomentum, 3, "water_momentum", "kg m/s", "V q: momentum of the water relative to its solid [Ding19 Eq. 25]");
 BAKE_FIELD(Q_old, ScatteredWaterMomentum, 3, "scattered_water_momentum", "kg m/s", "V q of the step before, which the nodes know");
@@ -57,16 +64,22 @@ BAKE_FIELD(water_mass, NodeWaterMass, 1, "water mass", "kg", "m_i^w: sum of w m_
 BAKE_FIELD(water_change, WaterChange, 1, "water change", "kg", "dm_i^w: water that flows to the node in the step [Ding19 Eq. 25]");
 BAKE_FIELD(water_capacity, WaterCapacity, 1, "water capacity", "kg", "water that would fill the node, sum of w V rho_0^w");
 BAKE_FIELD(evaporability, Evaporability, 1, "evaporability", "kg m/s", "sum of w V beta_w theta [Ding19 Sec. 6.2]");
+BAKE_FIELD(permeability, Permeability, 1, "permeability", "kg m^2/s", "sum of w V rho_0^w K theta: how readily water comes to the surface");
 BAKE_FIELD(volume, Volume, 1, "volume", "m^3", "V_i: sum of w V [Ding19 Eq. 18]");
 BAKE_FIELD(heat_capacity, HeatCapacity, 1, "heat capacity", "J/K", "c_i: sum of w c");
 BAKE_FIELD(heat_content, HeatContent, 1, "heat content", "J", "sum of w c theta");
+BAKE_FIELD(conductivity, Conductivity, 1, "conductivity", "W m^2/K", "sum of w V kappa");
+BAKE_FIELD(heat_lent, LentHeat, 1, "lent heat", "J", "sum of w c theta_lent: what subgrid diffusion gave to the particles around");
 BAKE_FIELD(heat_change, HeatChange, 1, "heat change", "J", "dq_i: heat that comes to the node in the step [Ding19 Eq. 9]");
 
 BAKE_FIELD(velocity, NodeVelocity, 3, "node velocity", "m/s", "v_i: after the step");
 BAKE_FIELD(old_velocity, OldNodeVelocity, 3, "old node velocity", "m/s", "v_i before the step (FLIP)");
 BAKE_FIELD(temperature_change, TemperatureChange, 1, "temperature change", "K", "theta_i^(n+1) - theta_i^n [Ding19 Eq. 21]");
 BAKE_FIELD(temperature, NodeTemperature, 1, "node temperature", "C", "theta_i^(n+1)");
-BAKE_FIELD(water_ratio, WaterRatio, 1, "water ratio", "1", "dm_i^w / m_i^w [Ding19 Eq. 19]");
+BAKE_FIELD(water_loss, WaterLoss, 1, "water loss", "1",
+           "min(dm_i^w, 0) / m_i^w: shared by the particles around as their water [Ding19 Eq. 19]");
+BAKE_FIELD(water_gain, WaterGain, 1, "water gain", "1",
+           "max(dm_i^w, 0) over the water that would fill the node: shared as the particles' volumes");
 BAKE_FIELD(saturation, Saturation, 1, "saturation", "1", "s_i^(n+1): share of the volume that is water");
 }  // namespace channel
 

@@ -20,6 +20,8 @@ BAKE_FIELD(expansion_heat, ExpansionHeat, 1, "expansion_heat", "J", "heat taken 
 namespace total {
 BAKE_FIELD(heat_content, HeatContent, 1, "heat_content", "J", "heat content, sum of c theta from 0 C");
 BAKE_FIELD(temperature, Temperature, 1, "", "m^3 C", "sum of V theta");
+BAKE_FIELD(thermoelastic, Thermoelastic, 1, "thermoelastic", "J",
+           "energy bound by expansion: what elastic strain takes from the heat, less what is stored unstrained");
 }  // namespace total
 
 namespace highest {
@@ -47,6 +49,7 @@ struct Heat : Effect {
     Form expansion_form = Form::standard;
     double water_specific_heat_J_per_kgK = 4186;
     double implicit_step_factor = 100;
+    double subgrid_diffusion = 1;
     static constexpr auto parameters() {
       return std::tuple{
           Parameter{"integrator", &Settings::integrator, "", any_number, "gamma = 0 (forward Euler) or 1 (backward Euler) of Sec. 6.3"},
@@ -61,6 +64,9 @@ struct Heat : Effect {
                     "alpha_w: heat capacity of water per mass; in a scene whose heat runs faster than life, as fast as the solid's"},
           Parameter{"implicit_step_factor", &Settings::implicit_step_factor, "1", positive,
                     "backward Euler's step is at most this many times what forward Euler could take"},
+          Parameter{
+              "subgrid_diffusion", &Settings::subgrid_diffusion, "1", non_negative,
+              "rate at which a particle's temperature goes to that of its nodes, in units of kappa / (rho c dx^2); 0: never, as published"},
       };
     }
   };
@@ -80,18 +86,18 @@ struct Heat : Effect {
   };
 
   using Stored = FieldList<field::Temperature, field::PeakTemperature>;
-  using Transient = FieldList<field::TemperatureGradient>;
+  using Transient = FieldList<field::TemperatureGradient, field::LentTemperature, field::ThermalStrain>;
   using Moments = FieldList<channel::HeatChange>;
-  using Values = FieldList<channel::HeatCapacity, channel::HeatContent>;
+  using Values = FieldList<channel::HeatCapacity, channel::HeatContent, channel::Conductivity, channel::LentHeat>;
   using Gathered = FieldList<channel::TemperatureChange, channel::NodeTemperature>;
   using Booked = FieldList<booked::HeatExchanged, booked::ExpansionHeat>;
-  using Totals = FieldList<total::HeatContent, total::Temperature>;
+  using Totals = FieldList<total::HeatContent, total::Temperature, total::Thermoelastic>;
   using Highest = FieldList<highest::Temperature, highest::Coldness>;
   using Bounds = FieldList<bound::HeatDiffusivity>;
 
   template <class Real>
   struct Constants {
-    Real solid, water, kappa, beta_T, theta_0;
+    Real solid, water, kappa, beta_T, expansion, theta_0, subgrid;
     bool implicit, published_expansion;
     template <class Scene, class SceneMaterial>
     Constants(const Scene& scene, const SceneMaterial& material) : theta_0(static_cast<Real>(material.initial_temperature_C)) {
@@ -100,11 +106,13 @@ struct Heat : Effect {
       kappa = static_cast<Real>(m.conductivity_W_per_mK);
       const auto& settings = scene.settings.template get<Settings>();
       water = static_cast<Real>(settings.water_specific_heat_J_per_kgK);
+      subgrid = static_cast<Real>(settings.subgrid_diffusion);
       implicit = settings.integrator == Integrator::backward_euler;
       published_expansion = settings.expansion_form == Form::published;
       const Elasticity::Constants<Real> elastic(scene, material);
       // beta_T = 3 K alpha_l. Published: c lambda, with c = 3 alpha_l K / lambda so that both mean the same expansion.
-      beta_T = scene.lists("elasticity") ? static_cast<Real>(3 * elastic.bulk * m.expansion_per_K) : Real(0);
+      expansion = scene.lists("elasticity") ? static_cast<Real>(3 * m.expansion_per_K) : Real(0);
+      beta_T = elastic.bulk * expansion;
     }
   };
 
@@ -125,6 +133,8 @@ struct Heat : Effect {
     const auto& settings = scene.template of<Heat>();
     model.implicit_heat = settings.integrator == Integrator::backward_euler;
     model.heat_tolerance = settings.tolerance;
+    if (settings.heat_transfer_form == Form::standard)
+      model.conductivity_channel = Model::Scattered::template offset<channel::Conductivity>;
     model.temperature_channel = Model::Gathered::template offset<channel::NodeTemperature>;
     model.heat_entry = Model::Booked::template offset<booked::HeatExchanged>;
     for (const auto& [at, value] : scene.oven.heat_transfer_coefficient_W_per_m2K.points) model.needs_surface |= value != 0;
@@ -144,9 +154,30 @@ struct Heat : Effect {
     return c;
   }
 
+  /// c theta less the same without what subgrid diffusion gave: heat that is not the particle's yet.
+  BAKE_INLINE static auto lent_heat(auto& p, const auto& k) {
+    auto lent = capacity(p, k) * p[field::theta_lent];
+    if constexpr (std::decay_t<decltype(p)>::template has<field::LentWater>)
+      lent += k.water * p[field::m_w_lent] * (p[field::theta] - p[field::theta_lent]);
+    return lent;
+  }
+
+  /// Share of a difference between a particle and its nodes that diffusion of the length dx evens out in a step. Implicit: never above 1.
+  BAKE_INLINE static auto evened_out(auto diffusivity, auto subgrid, const auto& step) {
+    const auto x = (subgrid * step.dt / (step.dx * step.dx)) * diffusivity;
+    return x / (1 + x);
+  }
+
   /// theta_p += sum w (theta_i^{n+1} - theta_i^n)   [Ding19 Eq. 21]
-  BAKE_INLINE static void gather(auto& p, const auto& from, const auto&, const auto&, auto&) {
+  /// DEPARTS [Ding19 Eq. 21]: of what differs from particle to particle within a cell the nodes know nothing, and it would stay for ever.
+  /// It decays as heat conduction over dx would have it, and what that changes at the nodes is taken back there in the next step, so that
+  /// their solution is untouched: subgrid diffusion (Gerya and Yuen 2003, doi:10.1016/j.pepi.2003.09.006).
+  BAKE_INLINE static void gather(auto& p, const auto& from, const auto& k, const auto& step, auto&) {
     p[field::theta] += from.value(channel::temperature_change);
+    p[field::theta_lent] =
+        evened_out(k.kappa * p.volume() / capacity(p, k), k.subgrid, step) * (from.value(channel::temperature) - p[field::theta]);
+    p[field::theta] += p[field::theta_lent];
+    p[field::thermal_strain] = k.published_expansion ? 0 * p[field::theta] : k.expansion * (p[field::theta] - k.theta_0);
     p[field::theta_peak] = max(p[field::theta_peak], p[field::theta]);
     for (int d = 0; d < 3; ++d) p[field::grad_theta][d] = from.gradient(channel::temperature, 0, d);
   }
@@ -163,7 +194,7 @@ struct Heat : Effect {
   }
 
   /// Conduction -V kappa D^-1 w (r . grad theta), the heat that moving water carries, V alpha_w theta D^-1 w (r . q), and the heat
-  /// that expansion takes.
+  /// that elastic expansion takes, V_0 beta_T theta_K d(tr epsilon)/dt.
   /// DEPARTS [Ding19 Eq. 9]: printed without the water's part, as if it took the temperature of wherever it arrives.
   /// DEPARTS [Ding19 Sec. 6.3]: the conduction term is printed without kappa and with the wrong sign.
   BAKE_INLINE static void scatter(auto& p, auto& to, const auto& k, const auto& step, auto&) {
@@ -171,6 +202,8 @@ struct Heat : Effect {
     const auto c = capacity(p, k);
     to.value(channel::heat_capacity) += c;
     to.value(channel::heat_content) += c * p[field::theta];
+    to.value(channel::heat_lent) += lent_heat(p, k);
+    to.value(channel::conductivity) += k.kappa * p.volume();
     const auto flux = (step.dt_next * step.inverse_d) * p.volume();
     if (!k.implicit)
       for (int d = 0; d < 3; ++d) to.moment(channel::heat_change, 0, d) -= k.kappa * flux * p[field::grad_theta][d];
@@ -181,7 +214,10 @@ struct Heat : Effect {
         const auto& C = p[field::C];
         using Real = typename P::Real;
         const auto theta = k.published_expansion ? p[field::theta] : p[field::theta] + Real(273.15);
-        const auto taken = (step.dt_next * k.beta_T) * p[field::V_0] * theta * (C[0] + C[4] + C[8]);
+        auto rate = C[0] + C[4] + C[8];
+        if constexpr (P::template has<field::PlasticDilation>)
+          if (!k.published_expansion) rate -= p[field::plastic_dilation];
+        const auto taken = (step.dt_next * k.beta_T) * p[field::V_0] * theta * rate;
         to.value(channel::heat_change) -= taken;
       }
     }
@@ -216,6 +252,7 @@ struct Heat : Effect {
     const auto content = node[channel::heat_content], old = filled ? content / capacity : none;
     auto change = node[channel::heat_change];
     budget.book(booked::expansion_heat, filled ? -change : none);  // conduction and water only move heat: their sum over the nodes is zero
+    change -= node[channel::heat_lent];
     if constexpr (N::template scatters<channel::NodeWaterMass>) {
       change -= node.sums.heat_taken;
       capacity += k.water * (node.sums.moved + node.sums.evaporated);
@@ -235,7 +272,15 @@ struct Heat : Effect {
   }
 
   static void totals(auto& p, const auto& k, const auto&, auto& report) {
-    report.add(total::heat_content, capacity(p, k) * p[field::theta]);
+    using P = std::decay_t<decltype(p)>;
+    report.add(total::heat_content, capacity(p, k) * p[field::theta] - lent_heat(p, k));
+    if constexpr (P::template has<field::HenckyStrain>) {  // K/2 (tr eps - thermal strain)^2 instead of K/2 (tr eps)^2
+      const auto& e = p[field::epsilon];
+      const auto tr = e[0] + e[1] + e[2], warmth = k.published_expansion ? 0 * tr : p[field::theta] - k.theta_0;
+      const auto beta_T = p[field::V_0] * k.beta_T, unstrained = typename P::Real(0.5) * k.expansion * warmth * warmth;
+      report.add(total::elastic, beta_T * (unstrained - warmth * tr));
+      report.add(total::thermoelastic, beta_T * ((p[field::theta] + typename P::Real(273.15)) * tr - unstrained));
+    }
     report.add(total::temperature, p.volume() * p[field::theta]);
     report.highest(highest::coldness, -p[field::theta]);
     report.highest(highest::temperature, p[field::theta]);

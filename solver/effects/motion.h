@@ -47,7 +47,7 @@ struct Motion : Effect {
     }
   };
   using Stored = FieldList<field::VolumeRatio>;
-  using Transient = FieldList<field::Velocity, field::AffineVelocity, field::KirchhoffStress>;
+  using Transient = FieldList<field::VolumeRatioBefore, field::Velocity, field::AffineVelocity, field::KirchhoffStress>;
   using Moments = FieldList<channel::Momentum>;
   using Values = FieldList<channel::Mass>;
   using Gathered = FieldList<channel::NodeVelocity>;
@@ -96,15 +96,16 @@ struct Motion : Effect {
     }
     const auto& C = p[field::C];
     const auto a = [&](int i, int j) { return i == j ? 1 + step.dt * C[3 * i + j] : step.dt * C[3 * i + j]; };
+    p[field::J_before] = p[field::J];
     p[field::J] *= a(0, 0) * (a(1, 1) * a(2, 2) - a(1, 2) * a(2, 1)) - a(0, 1) * (a(1, 0) * a(2, 2) - a(1, 2) * a(2, 0)) +
                    a(0, 2) * (a(1, 0) * a(2, 1) - a(1, 1) * a(2, 0));
   }
 
   /// w m (v + C r) - dt V_0 tau D^-1 w r; tau is the Kirchhoff stress of the whole mixture.   [Ding19 Eq. 26-27]
   BAKE_INLINE static void scatter(auto& p, auto& to, const auto& k, const auto& step, auto&) {
-    const auto m = k.inertia * p.mass();
+    const auto m = k.inertia * p.own_mass();
     const auto force = -step.dt_next * step.inverse_d * p[field::V_0];
-    to.value(channel::mass) += m;
+    to.value(channel::mass) += k.inertia * p.mass();
     for (int i = 0; i < 3; ++i) {
       to.value(channel::momentum, i) += m * p[field::v][i];
       for (int j = 0; j < 3; ++j)
@@ -151,7 +152,7 @@ struct Motion : Effect {
   static void totals(auto& p, const auto& k, const auto& step, auto& report) {
     using P = std::decay_t<decltype(p)>;
     using V = typename P::V;
-    const V m = k.inertia * p.mass(), affine_inertia = m / step.inverse_d;
+    const V m = k.inertia * p.own_mass(), affine_inertia = m / step.inverse_d;
     const auto& C = p[field::C];
     V position[3], momentum[3], kinetic = 0 * m;
     for (int i = 0; i < 3; ++i) {

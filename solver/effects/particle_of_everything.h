@@ -14,9 +14,11 @@ template <class Scalar>
 struct ParticleOfEverything {
   using Real = Scalar;
   using V = Lanes<Real>;
-  using Fields = FieldList<field::Position, field::InitialVolume, field::SolidMass, field::Velocity, field::AffineVelocity,
-                           field::VolumeRatio, field::KirchhoffStress, field::ElasticStrain, field::HenckyStrain, field::PlasticVolumeRatio,
-                           field::Temperature, field::PeakTemperature, field::WaterMass, field::ProducedGas, field::Leavener>;
+  using Fields =
+      FieldList<field::Position, field::InitialVolume, field::SolidMass, field::Velocity, field::AffineVelocity, field::VolumeRatio,
+                field::VolumeRatioBefore, field::KirchhoffStress, field::ElasticStrain, field::HenckyStrain, field::PlasticVolumeRatio,
+                field::PlasticDilation, field::Temperature, field::PeakTemperature, field::ThermalStrain, field::LentTemperature,
+                field::WaterMass, field::LentWater, field::ProducedGas, field::Leavener>;
   template <class F>
   static constexpr bool has = true;
 
@@ -32,7 +34,9 @@ struct ParticleOfEverything {
       return *reinterpret_cast<V(*)[F::width]>(at);
   }
   V mass() { return (*this)[field::m_s] + (*this)[field::m_w]; }
+  V own_mass() { return mass() - (*this)[field::m_w_lent]; }
   V volume() { return (*this)[field::V_0] * (*this)[field::J]; }
+  V volume_before() { return (*this)[field::V_0] * (*this)[field::J_before]; }
   V temperature() { return (*this)[field::theta]; }
   V peak_temperature() { return (*this)[field::theta_peak]; }
 };

@@ -56,6 +56,7 @@ struct Plasticity : Effect {
   };
 
   using Stored = FieldList<field::PlasticVolumeRatio>;
+  using Transient = FieldList<field::PlasticDilation>;
   using Booked = FieldList<booked::Dissipated>;
 
   template <class Real>
@@ -222,7 +223,8 @@ struct Plasticity : Effect {
         watch);
   }
 
-  /// Return mapping of the trial state on tau_E only (Terzaghi).   [Ding19 Eq. 11-12, Sec. 6.5]
+  /// Return mapping of the trial state on the solid's own stress, C : (epsilon - thermal strain), whatever gas and water push (Terzaghi).
+  /// Were it on tau_E alone, nothing would hold the thermal stress of dough that yields.   [Ding19 Eq. 10-12, Sec. 6.5]
   BAKE_INLINE static void gather(auto& p, const auto&, const auto& k, const auto& step, auto& report) {
     using P = std::decay_t<decltype(p)>;
     using V = typename P::V;
@@ -231,18 +233,22 @@ struct Plasticity : Effect {
     const V tr = e[0] + e[1] + e[2], mean = tr * Real(1. / 3);
     Symmetric<V> d;
     for (int i = 0; i < 6; ++i) d.at[i] = i < 3 ? e[i] - mean : e[i];
-    const V p_tr = -k.bulk * tr, shear2 = norm_squared(d), q2 = (6 * k.mu * k.mu) * shear2;
+    V free = 0 * tr;  // of stress
+    if constexpr (P::template has<field::ThermalStrain>) free = p[field::thermal_strain];
+    const V p_tr = -k.bulk * (tr - free), shear2 = norm_squared(d), q2 = (6 * k.mu * k.mu) * shear2;
     V tau_y, eta;
     curves<V>(p.temperature(), p.peak_temperature(), k, tau_y, eta);
     const V n = porosity<V>(p[field::J_P], k);
     const V a = ((n <= Real(k_no_pores)) & (p_tr > 0)) ? 0 * n : cap<V>(n);  // without pores there is nothing to compact
     const V ap2 = a * p_tr * p_tr;
     const auto flowing = ap2 + q2 > tau_y * tau_y;
+    p[field::plastic_dilation] = 0 * tr;
     if (!any(flowing)) return;
 
     const V z = solve<V>(ap2, q2, a * k.bulk, 3 * k.mu, tau_y, eta * (1 / step.dt), flowing, k.quadratic);
     const auto [pa, qa] = shrunk(a * k.bulk, 3 * k.mu, z);
-    const V tr_new = tr * pa;
+    const V tr_new = free + (tr - free) * pa;
+    if (step.dt > 0) p[field::plastic_dilation] = flowing ? (tr - tr_new) * (1 / step.dt) : 0 * tr;
     p[field::J_P] = flowing ? p[field::J_P] * exp(tr - tr_new) : p[field::J_P];
     Symmetric<V> mapped;
     for (int i = 0; i < 6; ++i) mapped.at[i] = d.at[i] * qa + (i < 3 ? tr_new * Real(1. / 3) : 0 * tr);
@@ -252,7 +258,7 @@ struct Plasticity : Effect {
       p[field::b_E][i] = flowing ? b.at[i] : p[field::b_E][i];
     }
     // tau_new : (eps_tr - eps_new), never negative
-    report.book(booked::dissipated, p[field::V_0] * (k.bulk * tr_new * (tr - tr_new) + 2 * k.mu * qa * (1 - qa) * shear2));
+    report.book(booked::dissipated, p[field::V_0] * (k.bulk * (tr_new - free) * (tr - tr_new) + 2 * k.mu * qa * (1 - qa) * shear2));
   }
 
   static void show(auto& frame) {

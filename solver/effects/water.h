@@ -6,6 +6,7 @@
 
 #include "solver/core/parameter.h"
 #include "solver/effects/form.h"
+#include "solver/effects/free_surface.h"
 #include "solver/effects/heat.h"
 #include "solver/effects/motion.h"
 
@@ -24,6 +25,8 @@ BAKE_FIELD(remap_momentum, RemapMomentum, 3, "water_remap_momentum", "kg m/s",
 
 namespace total {
 BAKE_FIELD(water_mass, WaterMass, 1, "water_mass", "kg", "mass of the water");
+BAKE_FIELD(water_overfull, WaterOverfull, 1, "water_overfull", "kg",
+           "water for which a particle's volume has no room; zero unless dough is crushed");
 }  // namespace total
 
 namespace bound {
@@ -37,12 +40,16 @@ struct Water : Effect {
   struct Settings {
     Form form = Form::standard;
     double latent_heat_J_per_kg = 0;
+    double subgrid_diffusion = 1;
     static constexpr auto parameters() {
       return std::tuple{
           Parameter{"form", &Settings::form, "", any_number,
-                    "mass and momentum without (standard) or with (published) the printed div v terms"},
+                    "gains shared by volume, losses by water (standard), or all by water and with the printed div v terms (published)"},
           Parameter{"latent_heat_J_per_kg", &Settings::latent_heat_J_per_kg, "J/kg", non_negative,
                     "L_v: heat taken by each kilogram that evaporates (water: 2.4e6)"},
+          Parameter{
+              "subgrid_diffusion", &Settings::subgrid_diffusion, "1", non_negative,
+              "rate at which a particle's saturation goes to that of its nodes, in units of K theta s / dx^2; 0: never, as published"},
       };
     }
   };
@@ -66,18 +73,18 @@ struct Water : Effect {
   };
 
   using Stored = FieldList<field::WaterMass>;
-  using Transient = FieldList<field::WaterFlux>;
+  using Transient = FieldList<field::WaterFlux, field::LentWater>;
   using Moments = FieldList<channel::WaterChange>;
-  using Values = FieldList<channel::NodeWaterMass, channel::WaterCapacity, channel::Evaporability>;
-  using Gathered = FieldList<channel::WaterRatio, channel::Saturation>;
+  using Values = FieldList<channel::NodeWaterMass, channel::WaterCapacity, channel::Evaporability, channel::Permeability>;
+  using Gathered = FieldList<channel::WaterLoss, channel::WaterGain, channel::Saturation>;
   using Booked =
       FieldList<booked::Evaporated, booked::WaterLimited, booked::LatentHeat, booked::VapourHeat, booked::RemapHeat, booked::RemapMomentum>;
-  using Totals = FieldList<total::WaterMass>;
+  using Totals = FieldList<total::WaterMass, total::WaterOverfull>;
   using Bounds = FieldList<bound::WaterDiffusivity>;
 
   template <class Real>
   struct Constants {
-    Real rho_w, K, beta_w, c_hat, s_0, heat, inertia;
+    Real rho_w, K, beta_w, c_hat, s_0, heat, inertia, subgrid;
     template <class Scene, class SceneMaterial>
     Constants(const Scene& scene, const SceneMaterial& material) : s_0(static_cast<Real>(material.initial_saturation)) {
       const auto& m = material.effects.template get<Material>();
@@ -85,6 +92,7 @@ struct Water : Effect {
       K = static_cast<Real>(m.diffusivity_m2_per_sK);
       beta_w = static_cast<Real>(m.evaporation_kg_per_m2sK);
       c_hat = static_cast<Real>(m.pressure_Pa);
+      subgrid = static_cast<Real>(scene.settings.template get<Settings>().subgrid_diffusion);
       heat = static_cast<Real>(scene.settings.template get<Heat::Settings>().water_specific_heat_J_per_kgK);
       inertia = static_cast<Real>(scene.settings.template get<Motion::Settings>().inertia_scale);
     }
@@ -92,9 +100,13 @@ struct Water : Effect {
 
   template <class Real>
   struct NodeConstants {
-    Real latent_heat;
+    Real latent_heat, depth;
+    bool published;
     template <class Scene>
-    explicit NodeConstants(const Scene& scene) : latent_heat(static_cast<Real>(scene.template of<Water>().latent_heat_J_per_kg)) {}
+    explicit NodeConstants(const Scene& scene)
+        : latent_heat(static_cast<Real>(scene.template of<Water>().latent_heat_J_per_kg)),
+          depth(static_cast<Real>(FreeSurface::depth(scene))),
+          published(scene.template of<Water>().form == Form::published) {}
   };
 
   static void describe(auto& model, const auto& scene) {
@@ -119,15 +131,25 @@ struct Water : Effect {
   /// DEPARTS [Ding19 Sec. 3.2]: printed with theta alone, which turns diffusion backwards in the freezer.
   BAKE_INLINE static auto clamped_temperature(auto& p) { return max(p.temperature(), 0 * p[field::m_w]); }
 
-  /// m_w += m_w sum w dm_i / m_i^w, so that particles gain what the nodes gain; s = m_w / (rho_0^w V); q by Fick's law.
+  BAKE_INLINE static auto diffusivity(auto& p, const auto& k) {
+    return k.K * clamped_temperature(p) * p[field::m_w] / (k.rho_w * p.volume());
+  }
+
+  /// m_w += m_w sum w min(dm_i, 0) / m_i^w + rho_0^w V sum w max(dm_i, 0) / (rho_0^w V)_i: particles gain what their nodes gain, and none
+  /// falls below zero; s = m_w / (rho_0^w V); q by Fick's law. What differs within a cell decays as of heat (Heat::gather).
   /// [Ding19 Eq. 19, 22]
+  /// DEPARTS [Ding19 Eq. 19]: printed with gains shared by the water that is there, so that dry dough stays dry for ever.
   /// DEPARTS [Ding19 Eq. 20]: the volume is that of the new time; with the old one and the printed div v term in (25) half
   /// of the water is gone at doubled volume.
-  BAKE_INLINE static void gather(auto& p, const auto& from, const auto& k, const auto&, auto& report) {
+  BAKE_INLINE static void gather(auto& p, const auto& from, const auto& k, const auto& step, auto& report) {
     using P = std::decay_t<decltype(p)>;
-    const auto gained = p[field::m_w] * from.value(channel::water_ratio);
+    const auto room = k.rho_w * p.volume_before();
+    const auto gained = p[field::m_w] * from.value(channel::water_loss) + room * from.value(channel::water_gain);
     p[field::m_w] += gained;
-    if constexpr (P::template has<field::Temperature>) report.book(booked::remap_heat, k.heat * gained * p[field::theta]);
+    p[field::m_w_lent] = Heat::evened_out(diffusivity(p, k), k.subgrid, step) * (room * from.value(channel::saturation) - p[field::m_w]);
+    p[field::m_w] += p[field::m_w_lent];
+    if constexpr (P::template has<field::Temperature>)
+      report.book(booked::remap_heat, k.heat * gained * (p[field::theta] - p[field::theta_lent]));
     if constexpr (P::template has<field::Velocity>)
       for (int d = 0; d < 3; ++d) report.book(booked::remap_momentum, k.inertia * gained * p[field::v][d], d);
     const auto flux = (-k.K) * clamped_temperature(p) * p[field::m_w] / p.volume();
@@ -149,11 +171,13 @@ struct Water : Effect {
     to.value(channel::water_mass) += p[field::m_w];
     to.value(channel::water_capacity) += k.rho_w * p.volume();
     to.value(channel::evaporability) += k.beta_w * clamped_temperature(p) * p.volume();
+    to.value(channel::permeability) += k.rho_w * k.K * clamped_temperature(p) * p.volume();
+    to.value(channel::water_change) -= p[field::m_w_lent];
     for (int j = 0; j < 3; ++j) to.moment(channel::water_change, 0, j) += moment * p[field::q][j];
   }
 
   BAKE_INLINE static void bounds(auto& p, const auto& k, const auto&, auto& report) {
-    report.bound(bound::water_diffusivity, k.K * clamped_temperature(p) * p[field::m_w] / (k.rho_w * p.volume()));
+    report.bound(bound::water_diffusivity, diffusivity(p, k));
   }
 
   /// As forward Euler's of heat.
@@ -162,17 +186,30 @@ struct Water : Effect {
     if (D > 0) limit.at_most(at.safety * at.diffusion * at.dx * at.dx / D, "water diffusion");
   }
 
+  /// s at the surface, where as much evaporates as comes through the layer of depth d between the nodes and the surface:
+  ///     rho K theta (s_i^2 - s^2) / (2 d) = beta_w theta (s - s_out),   a = rho K / (2 d beta_w).
+  template <class V>
+  BAKE_INLINE static V surface_saturation(V s_i, V s_out, V a) {
+    const V b = s_out + a * s_i * s_i;
+    return 2 * b / (1 + sqrt(1 + 4 * a * b));
+  }
+
   /// m_i += flux - evaporation, never below zero.
   BAKE_INLINE static void update(auto& node, const auto& k, const auto& step, auto& budget) {
     const auto m = node[channel::water_mass], none = 0 * m;
     const auto capacity = node[channel::water_capacity];
-    const auto filled = (m > 0) & (capacity > 0);
+    const auto filled = capacity > 0;
     const auto& around = node.surroundings;
     // beta_w theta of the node times its free area: (w V beta_w theta) / (w V) * area
     const auto rate = node[channel::volume] > 0 ? step.dt * around.area * node[channel::evaporability] / node[channel::volume] : none;
     const auto flux = node[channel::water_change];
     const auto after_flux = m + flux;
-    const auto wanted = filled ? rate * (m / capacity - around.saturation) : none;
+    const auto s_i = filled ? m / capacity : none;
+    using Real = std::decay_t<decltype(k.depth)>;
+    constexpr Real k_no_layer = Real(1e12);
+    const auto through = node[channel::permeability], out = 2 * k.depth * node[channel::evaporability];
+    const auto a = through < k_no_layer * out ? through / out : k_no_layer + none;
+    const auto wanted = filled ? rate * (surface_saturation(s_i, around.saturation, a) - around.saturation) : none;
     const auto evaporated = min(wanted, max(after_flux, none));
     const auto kept = max(after_flux - evaporated, none);
     budget.book(booked::evaporated, evaporated);
@@ -185,11 +222,16 @@ struct Water : Effect {
       node.sums.heat_taken = latent;
       budget.book(booked::latent_heat, latent);
     }
-    node.out(channel::water_ratio) = filled ? moved / m : none;
-    node.out(channel::saturation) = capacity > 0 ? (m + moved) / capacity : none;
+    const auto by_water = k.published ? moved : min(moved, none);
+    node.out(channel::water_loss) = filled & (m > 0) ? by_water / m : none;
+    node.out(channel::water_gain) = filled & !k.published ? max(moved, none) / capacity : none;
+    node.out(channel::saturation) = filled ? (m + moved) / capacity : none;
   }
 
-  static void totals(auto& p, const auto&, const auto&, auto& report) { report.add(total::water_mass, p[field::m_w]); }
+  static void totals(auto& p, const auto& k, const auto&, auto& report) {
+    report.add(total::water_mass, p[field::m_w] - p[field::m_w_lent]);
+    report.add(total::water_overfull, max(p[field::m_w] - k.rho_w * p.volume(), 0 * p[field::m_w]));
+  }
 
   static void show(auto& frame) {
     frame.stored(field::m_w);

@@ -14,6 +14,7 @@ std::unique_ptr<BlockKernel<Real>> make_block_kernel(KernelOrder order, const Ph
     if (scattered <= 8 && gathered <= 8) return make_block_kernel_8_8<Real, o>();
     if (scattered <= 16 && gathered <= 8) return make_block_kernel_16_8<Real, o>();
     if (scattered <= 16 && gathered <= 16) return make_block_kernel_16_16<Real, o>();
+    if (scattered <= 32 && gathered <= 16) return make_block_kernel_32_16<Real, o>();
     throw std::logic_error("a model with more channels than a row holds");
   };
   return order == KernelOrder::quadratic ? rows.template operator()<KernelOrder::quadratic>()

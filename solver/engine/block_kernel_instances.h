@@ -16,5 +16,7 @@ template <class Real, KernelOrder order>
 std::unique_ptr<BlockKernel<Real>> make_block_kernel_16_8();
 template <class Real, KernelOrder order>
 std::unique_ptr<BlockKernel<Real>> make_block_kernel_16_16();
+template <class Real, KernelOrder order>
+std::unique_ptr<BlockKernel<Real>> make_block_kernel_32_16();
 
 }  // namespace bake

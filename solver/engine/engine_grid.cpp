@@ -5,7 +5,7 @@
 #include "solver/core/parallel.h"
 #include "solver/core/rows.h"
 #include "solver/core/vector3.h"
-#include "solver/effects/fields.h"
+#include "solver/effects/free_surface.h"
 #include "solver/engine/engine.h"
 
 namespace bake {
@@ -71,7 +71,8 @@ void Engine<Real>::update_grid() {
     air = {scene_.oven.heat_transfer_coefficient_W_per_m2K(time_), scene_.oven.temperature_C(time_),
            scene_.oven.equilibrium_saturation(time_)};
     if (scene_.surface.form == Form::standard)
-      surface_.measure(scattered_.data(), scattered_row(), physics_->volume_channel, active_, geometry_, contacts_);
+      surface_.measure(scattered_.data(), scattered_row(), physics_->volume_channel, physics_->conductivity_channel,
+                       FreeSurface::depth(scene_), active_, geometry_, contacts_);
     else
       measure_published_surface(air);
   }

@@ -186,9 +186,19 @@ struct Model<Scalar, Effects...>::Particle {
     if constexpr (has<field::WaterMass>) return (*this)[field::m_s] + (*this)[field::m_w];
     return (*this)[field::m_s];
   }
+  /// Without the water that subgrid diffusion lent.
+  BAKE_INLINE V own_mass() {
+    if constexpr (has<field::LentWater>) return mass() - (*this)[field::m_w_lent];
+    return mass();
+  }
   BAKE_INLINE V volume() {
     if constexpr (has<field::VolumeRatio>) return (*this)[field::V_0] * (*this)[field::J];
     return (*this)[field::V_0];
+  }
+  /// As the nodes know it.
+  BAKE_INLINE V volume_before() {
+    if constexpr (has<field::VolumeRatioBefore>) return (*this)[field::V_0] * (*this)[field::J_before];
+    return volume();
   }
   BAKE_INLINE V temperature() {
     if constexpr (has<field::Temperature>) return (*this)[field::theta];

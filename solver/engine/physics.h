@@ -140,6 +140,7 @@ class Physics {
   bool implicit_heat = false;      ///< conduction by backward Euler, to
   double heat_tolerance = 0;       ///< this relative residual
   int volume_channel = -1;         ///< in a scattered row; -1: no surface is measured
+  int conductivity_channel = -1;   ///< in a scattered row; -1: the layer below the surface resists no heat
   int filled_channel = 0;          ///< in a scattered row: above zero where there are particles
   int temperature_channel = -1;    ///< in a gathered row, the change stands before it; -1: there is none
   double moved_specific_heat = 0;  ///< of the mass that moves or leaves [J/(kg K)]

@@ -163,17 +163,23 @@ bool any_positive(const Nodes& nodes) {
 }  // namespace
 
 template <class Real>
-void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volume_channel, const ActiveBlocks& active,
-                                       const GridGeometry& geometry, const Contacts& contacts) {
+void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volume_channel, int conductivity_channel, double depth,
+                                       const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts) {
   const std::size_t n = active.at.size();
+  depth_ = depth;
+  conductivity_.resize(conductivity_channel < 0 ? 0 : n);
   for (auto* field : {&volume_, &mirrored_, &smooth_, &density_}) field->resize(n);
   covers_.resize(n);
   blocks_.assign(n, {});
   for_each_parallel(n, 16, [&](std::size_t s) {
     covers_[s].clear();
     if (!active.touched[s]) return;
-    for (std::size_t k = 0; k < k_block_nodes; ++k)
-      volume_[s][k] = rows[(s * k_block_nodes + k) * static_cast<std::size_t>(row_size) + static_cast<std::size_t>(volume_channel)];
+    const auto take = [&](int channel, Nodes& to) {
+      for (std::size_t k = 0; k < k_block_nodes; ++k)
+        to[k] = rows[(s * k_block_nodes + k) * static_cast<std::size_t>(row_size) + static_cast<std::size_t>(channel)];
+    };
+    take(volume_channel, volume_[s]);
+    if (!conductivity_.empty()) take(conductivity_channel, conductivity_[s]);
     blocks_[s].has_volume = any_positive(volume_[s]);
   });
   for_each_parallel(n, 16, [&](std::size_t s) { mirror(s, active, geometry); });
@@ -268,7 +274,8 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
   blocks_[s].has_density = any_positive(r);
 }
 
-/// A = V B^T r
+/// A = V B^T r, and what passes: beta / (1 + beta d / kappa) of it, for the layer between the nodes and the surface conducts as well, kappa
+/// being the mean of w V kappa.
 template <class Real>
 bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& active, const Air& air, BlockSurroundings<Real>& out) const {
   if (!published_.empty()) {
@@ -285,11 +292,14 @@ bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& activ
     any = true;
     Nodes r;
     blur(halo, Real(1), r);
-    const auto beta = static_cast<Real>(coefficient), beta_theta = static_cast<Real>(coefficient * temperature);
+    const auto beta = static_cast<Real>(coefficient), beta_theta = static_cast<Real>(coefficient * temperature),
+               beta_d = static_cast<Real>(coefficient * depth_);
     for (std::size_t k = 0; k < k_block_nodes; ++k) {
-      area[k] += V[k] * r[k];
-      out.heat_transfer[k] += V[k] * (beta * r[k]);
-      out.heat_transfer_source[k] += V[k] * (beta_theta * r[k]);
+      const Real A = V[k] * r[k];
+      area[k] += A;
+      const Real passes = conductivity_.empty() || !(A * beta > 0) ? A : A * conductivity_[s][k] / (conductivity_[s][k] + beta_d * V[k]);
+      out.heat_transfer[k] += beta * passes;
+      out.heat_transfer_source[k] += beta_theta * passes;
     }
   };
   add([&](std::size_t i) { return blocks_[i].has_density ? &density_[i] : nullptr; }, out.area, air.heat_transfer_coefficient,

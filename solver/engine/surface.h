@@ -39,10 +39,11 @@ struct Air {
 template <class Real>
 class FreeSurfaceMeasure {
  public:
-  /// Measures from the volumes V_i in channel `volume_channel` of the scattered rows, all but the last step (`surround`). Parallel over
-  /// blocks, same bits for any number of threads.
-  void measure(const Real* rows, int row_size, int volume_channel, const ActiveBlocks& active, const GridGeometry& geometry,
-               const Contacts& contacts);
+  /// Measures from the volumes V_i in channel `volume_channel` of the scattered rows, all but the last step (`surround`). `depth`: of the
+  /// layer below the surface that resists heat by the conductivities in `conductivity_channel`; none if that is -1. Parallel over blocks,
+  /// same bits for any number of threads.
+  void measure(const Real* rows, int row_size, int volume_channel, int conductivity_channel, double depth, const ActiveBlocks& active,
+               const GridGeometry& geometry, const Contacts& contacts);
   /// [Ding19 Sec. 6.6] as printed: every node with mass that has a neighbour without appends the particle nearest to it, and each
   /// such particle stands for a disc of pi r^2, (4/3) pi r^3 = V. Serial: for studies of small scenes.
   template <KernelOrder order>
@@ -50,7 +51,7 @@ class FreeSurfaceMeasure {
                          int volume_column, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts,
                          const Air& air);
   std::size_t bytes() const {
-    return volume_.capacity() * (4 * sizeof(Nodes) + sizeof(Block)) + published_.capacity() * sizeof(BlockSurroundings<Real>);
+    return volume_.capacity() * (5 * sizeof(Nodes) + sizeof(Block)) + published_.capacity() * sizeof(BlockSurroundings<Real>);
   }
   /// What surrounds a block after either `measure`, or false if no surface is near. `air`: as given to measure_published.
   bool surround(std::size_t slot, const ActiveBlocks& active, const Air& air, BlockSurroundings<Real>& surroundings) const;
@@ -73,6 +74,8 @@ class FreeSurfaceMeasure {
 
   std::vector<Block> blocks_;
   std::vector<Nodes> volume_, mirrored_, smooth_;
+  std::vector<Nodes> conductivity_;  ///< sum of w V kappa; empty if no layer resists heat
+  double depth_ = 0;
   std::vector<Nodes> density_;  ///< r of nodes that touch air
   std::vector<std::vector<Cover>> covers_;
   std::vector<ContactHeat> heats_;  ///< of all covers, each once

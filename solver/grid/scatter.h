@@ -9,7 +9,7 @@
 namespace bake {
 
 /// The widest rows that are compiled: how many numbers they have, and how many of these may have coefficients of the node offsets.
-inline constexpr int k_most_channels = 16, k_most_moments = 8;
+inline constexpr int k_most_channels = 32, k_most_moments = 8;
 
 /// Rows of RS numbers.
 template <class Real, KernelOrder order, int RS>
