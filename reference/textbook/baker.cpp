@@ -97,7 +97,7 @@ void Baker::update_nodes(double dt, const Surroundings& surroundings) {
     if (!(node.volume > 0)) return;
     if (recipe_.water) update_water(recipe_, surroundings.air, dt, node);
     if (recipe_.heat) {
-      node.held = held_temperature(recipe_, surroundings, grid_.position(i));
+      hold_temperature(recipe_, surroundings, grid_.position(i), node);
       update_heat(recipe_, dt, node);
     }
     if (recipe_.motion) {

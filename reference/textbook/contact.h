@@ -42,11 +42,23 @@ inline void touch(const Grid& grid, const Surroundings& surroundings, const Inde
     }
 }
 
-/// Temperature that a grip holds at a node.
-inline std::optional<double> held_temperature(const Recipe& recipe, const Surroundings& surroundings, const Vector& x) {
+/// A grip holds the temperature of nodes in it, and heats the next ones as through the dough between them and its face. Particles between
+/// see the held nodes' temperature, as if the face were d_0 further out: that is made good.
+inline void hold_temperature(const Recipe& recipe, const Surroundings& surroundings, const Vector& x, Node& node) {
+  const bool conducts = recipe.heat_transfer_form == Form::standard;
+  const double d_0 = !conducts ? 0 : recipe.kernel == Kernel::quadratic ? 0.12 : 0.20;
+  const Solid* nearest = nullptr;
   for (const Solid& solid : surroundings.solids)
-    if (solid.is_grip && solid.theta && solid.distance(x) <= touching(recipe)) return solid.theta;
-  return std::nullopt;
+    if (solid.is_grip && solid.theta && (!nearest || solid.distance(x) < nearest->distance(x))) nearest = &solid;
+  if (!nearest) return;
+  const double s = nearest->distance(x) / recipe.dx;
+  if (s <= d_0 + 1e-6) {
+    node.held = *nearest->theta;
+  } else if (conducts && s <= 1 + d_0) {
+    const double conductance = node.conductivity / (recipe.dx * recipe.dx) * (1 + d_0 - s) / (s - d_0);
+    node.heat_transfer += conductance;
+    node.heat_transfer_source += conductance * *nearest->theta;
+  }
 }
 
 /// A particle inside a solid that expels is put on its surface, by at most dx in a step, and feels the contact itself.

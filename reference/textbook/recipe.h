@@ -81,8 +81,11 @@ struct Recipe {
   bool pores_open = false;                       ///< pores hold no vacuum
 };
 
-/// How deep below the surface the nodes are that fluxes through it are taken at [m]: dough of that depth resists them.
-inline double layer_depth(const Recipe& recipe) { return recipe.surface_form == Form::standard ? 0.75 * recipe.dx : 0; }
+/// How deep below the surface the nodes are that fluxes through it are taken at [m]: dough of that depth resists them. `strength`: b / (1 +
+/// b), b = beta dx / kappa.
+inline double layer_depth(const Recipe& recipe, double strength) {
+  return recipe.dx * ((recipe.kernel == Kernel::quadratic ? 0.76 : 0.74) + 0.18 * strength);
+}
 
 /// A rigid object that touches dough, at one time.
 struct Solid {

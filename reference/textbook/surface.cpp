@@ -72,17 +72,26 @@ struct Behind {
         theta(!solid ? air.theta : solid->theta.value_or(0)) {}
 };
 
+/// Smoothing by sigma^2 = 0.83 dx^2 takes sigma^2 K^2 / 2 of the area of a surface with the curvatures' sum K: r with it, given r K dx.
+double unrounded(double r, double r_K) { return r > 0 ? r * (1 + std::min(0.415 * (r_K / r) * (r_K / r), 0.5)) : 0; }
+
 }  // namespace
 
 void measure_surface(const Surroundings& surroundings, Grid& grid) {
   constexpr double k_no_dough = 1e-3;
   const double dx = grid.dx();
-  Field phi{grid}, smooth{grid}, psi{grid}, free{grid};
+  Field phi{grid}, smooth{grid}, psi{grid}, free{grid}, free_bend{grid};
+  Field normal[3] = {Field{grid}, Field{grid}, Field{grid}};
   std::vector<Behind> seen;  // what is in front of surfaces, and how much surface
-  std::vector<Field> facing;
+  std::vector<Field> facing, facing_bend;
   grid.for_each([&](const Index& i, const Node&) { phi[i] = mirrored_volume(grid, i) / (dx * dx * dx); });
   grid.for_each([&](const Index& i, const Node&) { smooth[i] = blurred(phi, i); });
   grid.for_each([&](const Index& i, const Node&) { psi[i] = std::clamp((smooth[i] - 0.2) / 0.6, 0.0, 1.0); });
+  grid.for_each([&](const Index& i, const Node&) { phi[i] = smooth[i] < k_no_dough ? 0 : smooth[i]; });
+  grid.for_each([&](const Index& i, const Node&) {
+    const Vector g = dx * gradient(phi, i);
+    for (int d = 0; d < 3; ++d) normal[d][i] = g[d] / std::sqrt(dot(g, g) + 0.02 * 0.02);
+  });
   grid.for_each([&](const Index& i, const Node&) {
     if (smooth[i] < k_no_dough) return;
     const Vector g = gradient(psi, i);
@@ -91,20 +100,27 @@ void measure_surface(const Surroundings& surroundings, Grid& grid) {
     const double r = length(g) / smooth[i];
     const Solid* cover = covering(surroundings, grid.position(i), &outward, 2.5 * dx);
     const Behind behind(cover, surroundings.air);
+    double divergence = 0;
+    for (int d = 0; d < 3; ++d) divergence += gradient(normal[d], i)[d];
+    const double r_K = -r * dx * divergence;
     free[i] = cover ? 0 : r;
+    free_bend[i] = cover ? 0 : r_K;
     const auto same = [&](const Behind& other) { return other.beta == behind.beta && other.theta == behind.theta; };
     const auto at = std::find_if(seen.begin(), seen.end(), same);
     const auto number = static_cast<std::size_t>(at - seen.begin());
-    if (at == seen.end()) seen.push_back(behind), facing.push_back(Field{grid});
+    if (at == seen.end()) seen.push_back(behind), facing.push_back(Field{grid}), facing_bend.push_back(Field{grid});
     facing[number][i] = r;
+    facing_bend[number][i] = r_K;
   });
   grid.for_each([&](const Index& i, Node& node) {
     if (node.volume == 0) return;
-    node.area = node.volume * blurred(free, i);
+    node.area = node.volume * unrounded(blurred(free, i), blurred(free_bend, i));
     for (std::size_t b = 0; b < seen.size(); ++b) {
-      double passes = seen[b].beta * node.volume * blurred(facing[b], i);
-      if (passes > 0 && grid.recipe().heat_transfer_form == Form::standard)
-        passes /= 1 + seen[b].beta * layer_depth(grid.recipe()) * node.volume / node.conductivity;
+      double passes = seen[b].beta * node.volume * unrounded(blurred(facing[b], i), blurred(facing_bend[b], i));
+      if (passes > 0 && grid.recipe().heat_transfer_form == Form::standard) {
+        const double per_dx = seen[b].beta * node.volume / node.conductivity, strength = 1 / (1 + 1 / (per_dx * dx));
+        passes /= 1 + per_dx * layer_depth(grid.recipe(), strength);
+      }
       node.heat_transfer += passes;
       node.heat_transfer_source += passes * seen[b].theta;
     }

@@ -34,7 +34,10 @@ inline void scatter_water_momentum(const Particle& p, const Recipe& recipe, doub
 
 /// s at the surface: what evaporates there comes through a layer of depth d,
 ///     rho K theta (s_i^2 - s^2) / (2 d) = beta_w theta (s - s_out),   a = rho K / (2 d beta_w)
-inline double surface_saturation(double s_i, double s_out, double a) {
+inline double surface_saturation(const Recipe& recipe, const Node& node, double s_i, double s_out) {
+  if (!(node.evaporability > 0)) return s_i;
+  const double e = recipe.dx * node.evaporability, d = layer_depth(recipe, e / (e + s_i * node.permeability));
+  const double a = std::min(node.permeability / (2 * d * node.evaporability), 1e12);
   const double b = s_out + a * s_i * s_i;
   return 2 * b / (1 + std::sqrt(1 + 4 * a * b));
 }
@@ -43,8 +46,8 @@ inline double surface_saturation(double s_i, double s_out, double a) {
 inline void update_water(const Recipe& recipe, const Air& air, double dt, Node& node) {
   if (!(node.water_room > 0)) return;
   const double rate = node.volume > 0 ? node.area * node.evaporability / node.volume : 0;
-  const double s_i = node.water / node.water_room, layer = 2 * layer_depth(recipe) * node.evaporability;
-  const double s = surface_saturation(s_i, air.s_out, node.permeability < 1e12 * layer ? node.permeability / layer : 1e12);
+  const double s_i = node.water / node.water_room;
+  const double s = recipe.surface_form == Form::standard ? surface_saturation(recipe, node, s_i, air.s_out) : s_i;
   const double after_flux = node.water + node.water_flux;
   node.evaporated = std::min(dt * rate * (s - air.s_out), std::max(after_flux, 0.0));
   const double kept = std::max(after_flux - node.evaporated, 0.0);

@@ -100,12 +100,13 @@ struct Water : Effect {
 
   template <class Real>
   struct NodeConstants {
-    Real latent_heat, depth;
+    Real latent_heat;
+    SurfaceLayer<Real> layer;
     bool published;
     template <class Scene>
     explicit NodeConstants(const Scene& scene)
         : latent_heat(static_cast<Real>(scene.template of<Water>().latent_heat_J_per_kg)),
-          depth(static_cast<Real>(FreeSurface::depth(scene))),
+          layer(FreeSurface::layer<Real>(scene)),
           published(scene.template of<Water>().form == Form::published) {}
   };
 
@@ -187,11 +188,14 @@ struct Water : Effect {
   }
 
   /// s at the surface, where as much evaporates as comes through the layer of depth d between the nodes and the surface:
-  ///     rho K theta (s_i^2 - s^2) / (2 d) = beta_w theta (s - s_out),   a = rho K / (2 d beta_w).
-  template <class V>
-  BAKE_INLINE static V surface_saturation(V s_i, V s_out, V a) {
+  ///     rho K theta (s_i^2 - s^2) / (2 d) = beta_w theta (s - s_out).
+  /// `e`: dx V beta_w theta; `through`: V rho K theta.
+  template <class V, class Real>
+  BAKE_INLINE static V surface_saturation(V s_i, V s_out, V e, V through, const SurfaceLayer<Real>& layer) {
+    const V none = 0 * e, resisted = 2 * e * layer.depth(e / (e + through * s_i + std::numeric_limits<Real>::min()));
+    const V a = through < Real(1e12) * resisted ? through / resisted : Real(1e12) + none;
     const V b = s_out + a * s_i * s_i;
-    return 2 * b / (1 + sqrt(1 + 4 * a * b));
+    return layer.dx > 0 ? 2 * b / (1 + sqrt(1 + 4 * a * b)) : s_i;  // the root of a s^2 + s = b, without cancellation
   }
 
   /// m_i += flux - evaporation, never below zero.
@@ -205,11 +209,8 @@ struct Water : Effect {
     const auto flux = node[channel::water_change];
     const auto after_flux = m + flux;
     const auto s_i = filled ? m / capacity : none;
-    using Real = std::decay_t<decltype(k.depth)>;
-    constexpr Real k_no_layer = Real(1e12);
-    const auto through = node[channel::permeability], out = 2 * k.depth * node[channel::evaporability];
-    const auto a = through < k_no_layer * out ? through / out : k_no_layer + none;
-    const auto wanted = filled ? rate * (surface_saturation(s_i, around.saturation, a) - around.saturation) : none;
+    const auto s = surface_saturation(s_i, around.saturation, step.dx * node[channel::evaporability], node[channel::permeability], k.layer);
+    const auto wanted = filled ? rate * (s - around.saturation) : none;
     const auto evaporated = min(wanted, max(after_flux, none));
     const auto kept = max(after_flux - evaporated, none);
     budget.book(booked::evaporated, evaporated);

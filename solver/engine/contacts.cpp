@@ -148,10 +148,14 @@ std::optional<ContactHeat> Contacts::covering(const Point& x, const std::optiona
   return std::nullopt;
 }
 
-std::optional<double> Contacts::held_temperature(const Point& x) const {
-  for (const Present& p : present_)
-    if (p.contact->rule == Rule::grip && p.contact->temperature && reaches(p, x, touching())) return p.temperature;
-  return std::nullopt;
+std::optional<HeldNear> Contacts::held_near(const Point& x, double reach) const {
+  std::optional<HeldNear> nearest;
+  for (const Present& p : present_) {
+    if (p.contact->rule != Rule::grip || !p.contact->temperature || !reaches(p, x, reach + touching())) continue;
+    const double distance = p.contact->scripted.distance(p.pose, x);
+    if (!nearest || distance < nearest->distance) nearest = {p.temperature, distance};
+  }
+  return nearest;
 }
 
 double Contacts::next_event(double time) const {

@@ -20,6 +20,11 @@ struct ContactHeat {
   bool operator==(const ContactHeat&) const = default;
 };
 
+/// A temperature that a grip holds, and how far away [C, m].
+struct HeldNear {
+  double temperature, distance;
+};
+
 class Contacts final : public Obstacles {
  public:
   Contacts(const Scene& scene, const GridGeometry& geometry);
@@ -36,8 +41,8 @@ class Contacts final : public Obstacles {
   /// Does a solid stand within `reach` of a surface at `x`, in front of its outward normal `n` if that is known? Its heat, zero if
   /// it gives none.
   std::optional<ContactHeat> covering(const Point& x, const std::optional<Vector3>& n, double reach) const;
-  /// Temperature that a grip holds at `x`, if any.
-  std::optional<double> held_temperature(const Point& x) const;
+  /// The nearest grip that holds a temperature, if one is within `reach` of `x`; distances in it are negative.
+  std::optional<HeldNear> held_near(const Point& x, double reach) const;
   bool holds_temperatures() const { return holds_temperatures_; }
   /// Fastest collider or grip at present [m/s].
   double largest_speed() const { return largest_speed_; }

@@ -79,7 +79,7 @@ class Engine {
   bool is_empty(const Real* scattered) const;
   // of a block's nodes, pack by pack: surroundings, sums and channels
   static Surroundings<Real> surroundings(int pack, const BlockSurroundings<Real>* surface, const Air& air);
-  void hold_temperatures(std::size_t slot, int first, Surroundings<Real>& around) const;
+  void hold_temperatures(std::size_t slot, int first, const Lanes<Real>* scattered, Surroundings<Real>& around) const;
   template <class After>
   void change_velocities(std::size_t slot, const NodeSums<Real>* sums, Lanes<Real> (*nodes)[k_most_channels], Budget& booked,
                          After after) const;

@@ -72,7 +72,7 @@ void Engine<Real>::update_grid() {
            scene_.oven.equilibrium_saturation(time_)};
     if (scene_.surface.form == Form::standard)
       surface_.measure(scattered_.data(), scattered_row(), physics_->volume_channel, physics_->conductivity_channel,
-                       FreeSurface::depth(scene_), active_, geometry_, contacts_);
+                       FreeSurface::layer<Real>(scene_), active_, geometry_, contacts_);
     else
       measure_published_surface(air);
   }
@@ -114,7 +114,8 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
     active_.touched[s] = 0;
     return;
   }
-  const bool at_contact = (physics_->moves || contacts_.holds_temperatures()) && contacts_.near(active_.at[s], 0);
+  const bool at_contact = (physics_->moves || contacts_.holds_temperatures()) &&
+                          contacts_.near(active_.at[s], contacts_.holds_temperatures() ? 1.5 * geometry_.dx() : 0);
   BlockSurroundings<Real> surface;
   const bool has_surface = physics_->needs_surface && surface_.surround(s, active_, air, surface);
   Lanes<Real> in[k_most_channels], dv[3];
@@ -126,7 +127,7 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
     prefetch_rows(from + (k_block_nodes + n) * RS, W * RS);  // of the next block
     kernel_->take_nodes(from + n * RS, in);
     Surroundings<Real> around = surroundings(pack, has_surface ? &surface : nullptr, air);
-    if (at_contact && contacts_.holds_temperatures()) hold_temperatures(s, static_cast<int>(n), around);
+    if (at_contact && contacts_.holds_temperatures()) hold_temperatures(s, static_cast<int>(n), in, around);
     physics_->update_nodes(in, out[pack], sums[pack], around, step, booked);
     for (int c = physics_->gather_channels; c < gathered_row(); ++c) out[pack][c] = Lanes<Real>{};
     if (physics_->moves)
@@ -177,14 +178,27 @@ Surroundings<Real> Engine<Real>::surroundings(int pack, const BlockSurroundings<
   return around;
 }
 
-/// Nodes that a grip holds at its temperature.
+/// A grip holds the temperature of nodes in it. Were that all, the face would seem to lie where the first of them is, and a little further
+/// out, since particles between it and the next node see its temperature and not the line continued: by d_0 = 0.12 dx (quadratic) or
+/// 0.20 dx. The next node, s outside of the grip, would be heated by kappa V_i / dx^2, as if through dx; for a face where the grip's is
+/// that must be 1 / (s - d_0), so that (1 + d_0 - s) / (s - d_0) is added.
 template <class Real>
-void Engine<Real>::hold_temperatures(std::size_t slot, int first, Surroundings<Real>& around) const {
-  for (int l = 0; l < k_width<Real>; ++l)
-    if (const auto held = contacts_.held_temperature(node_position(geometry_.origin(active_.at[slot]), geometry_.dx(), first + l))) {
+void Engine<Real>::hold_temperatures(std::size_t slot, int first, const Lanes<Real>* scattered, Surroundings<Real>& around) const {
+  const bool conducts = physics_->conductivity_channel >= 0;
+  const double dx = geometry_.dx(), d_0 = !conducts ? 0 : scene_.grid.kernel == KernelOrder::quadratic ? 0.12 : 0.20;
+  for (int l = 0; l < k_width<Real>; ++l) {
+    const auto held = contacts_.held_near(node_position(geometry_.origin(active_.at[slot]), dx, first + l), conducts ? (1 + d_0) * dx : 0);
+    if (!held) continue;
+    const double s = held->distance / dx;
+    if (s <= d_0 + 1e-6) {
       around.is_held[l] = -1;
-      around.held[l] = static_cast<Real>(*held);
+      around.held[l] = static_cast<Real>(held->temperature);
+      continue;
     }
+    const double conductance = static_cast<double>(scattered[physics_->conductivity_channel][l]) / (dx * dx) * (1 + d_0 - s) / (s - d_0);
+    around.heat_transfer[l] += static_cast<Real>(conductance);
+    around.heat_transfer_source[l] += static_cast<Real>(conductance * held->temperature);
+  }
 }
 
 /// What gravity gives, what mass takes along that leaves the nodes, and what moves between nodes against what moves between particles
@@ -273,7 +287,7 @@ void Engine<Real>::change_velocities(std::size_t slot, const NodeSums<Real>* sum
   template void Engine<Real>::update_block(std::size_t, const Air&, const Step<Real>&, Budget&);                       \
   template bool Engine<Real>::is_empty(const Real*) const;                                                             \
   template Surroundings<Real> Engine<Real>::surroundings(int, const BlockSurroundings<Real>*, const Air&);             \
-  template void Engine<Real>::hold_temperatures(std::size_t, int, Surroundings<Real>&) const;                          \
+  template void Engine<Real>::hold_temperatures(std::size_t, int, const Lanes<Real>*, Surroundings<Real>&) const;      \
   template void Engine<Real>::book_momentum(std::size_t, const NodeSums<Real>*, const Lanes<Real>(*)[k_most_channels], \
                                             const Lanes<Real>(&)[3], Budget&) const;                                   \
   template void Engine<Real>::measure_published_surface(const Air&);                                                   \

@@ -12,20 +12,30 @@ namespace bake {
 
 namespace {
 
-// A block and one node around it: 6 x 6 lines along z. A line has room for 8, so that one loop runs through all of them and
-// vectorises; what it makes in between is not used.
-constexpr int k_side = 6, k_line = 8, k_plane = k_side * k_line;
+// A block and one node around it, or two: 6 x 6 or 8 x 8 lines along z. A line has room for 8, so that one loop runs through all of them
+// and vectorises; what it makes in between is not used.
+constexpr int k_line = 8;
+template <int side>
+constexpr int k_plane = side* k_line;
+template <int side>
+constexpr int halo_index(int x, int y, int z) {
+  return x * k_plane<side> + y * k_line + z;
+}
 /// Numbers up to the last that is of use: after a difference or sum along x, along x and y, along all three.
-constexpr int k_after_x = 4 * k_plane, k_after_y = k_after_x - 2 * k_line, k_after_z = k_after_y - (k_line - 4);
-constexpr int halo_index(int x, int y, int z) { return x * k_plane + y * k_line + z; }
-static_assert(halo_index(3, 3, 3) == k_after_z - 1);
+template <int side>
+constexpr int k_after_x = (side - 2) * k_plane<side>;
+template <int side>
+constexpr int k_after_y = k_after_x<side> - 2 * k_line;
+template <int side>
+constexpr int k_after_z = halo_index<side>(side - 3, side - 3, side - 3) + 1;
+constexpr int k_narrow = 6, k_wide = 8;  ///< sides of halos
 
 template <class Real, int count>
 struct alignas(64) Numbers {
   Real at[count];
 };
-template <class Real>
-using Halo = Numbers<Real, k_side * k_plane>;
+template <class Real, int side>
+using Halo = Numbers<Real, side * k_plane<side>>;
 
 /// A block's line of nodes along z.
 template <class Real>
@@ -33,14 +43,18 @@ struct Line {
   typedef Real Four __attribute__((vector_size(4 * sizeof(Real)), aligned(sizeof(Real)), may_alias));
   Four at;
   explicit Line(const Real* nodes) : at(*reinterpret_cast<const Four*>(nodes)) {}
-  /// The last of this line and the first three of the next.
-  void store_across(const Line& next, Real* to) const { *reinterpret_cast<Four*>(to) = __builtin_shufflevector(at, next.at, 3, 4, 5, 6); }
+  /// The last `tail` nodes of this line and the first of the next.
+  template <int tail>
+  void store_across(const Line& next, Real* to) const {
+    *reinterpret_cast<Four*>(to) = __builtin_shufflevector(at, next.at, 4 - tail, 5 - tail, 6 - tail, 7 - tail);
+  }
 };
 
 /// Copies the nodes of a block and those around it. `nodes_of(slot)` points to those of a block, or is null if all of them are zero. False,
 /// and nothing done, if it is null for every block.
-template <class Real, class NodesOf>
-bool load_halo(const std::array<std::int32_t, 27>& around, NodesOf nodes_of, Halo<Real>& out) {
+template <int side, class Real, class NodesOf>
+bool load_halo(const std::array<std::int32_t, 27>& around, NodesOf nodes_of, Halo<Real, side>& out) {
+  constexpr int k_margin = (side - 4) / 2;
   static constexpr Real none[k_block_nodes] = {};
   const Real* block[27];
   bool any = false;
@@ -50,22 +64,22 @@ bool load_halo(const std::array<std::int32_t, 27>& around, NodesOf nodes_of, Hal
     block[i] = nodes ? nodes->data() : none;
   }
   if (!any) return false;
-#pragma GCC unroll 6
-  for (int x = 0; x < k_side; ++x)
-#pragma GCC unroll 6
-    for (int y = 0; y < k_side; ++y) {
-      const int gx = x + 3, gy = y + 3;  // 4 is the block's first node
+#pragma GCC unroll 8
+  for (int x = 0; x < side; ++x)
+#pragma GCC unroll 8
+    for (int y = 0; y < side; ++y) {
+      const int gx = x + 4 - k_margin, gy = y + 4 - k_margin;  // 4 is the block's first node
       const Real* const* column = block + (gx >> 2) * 9 + (gy >> 2) * 3;
       const int line = node_in_block(gx & 3, gy & 3, 0);
       const Line<Real> below(column[0] + line), own(column[1] + line), above(column[2] + line);
-      Real* to = out.at + halo_index(x, y, 0);
-      below.store_across(own, to);
-      own.store_across(above, to + 4);
+      Real* to = out.at + halo_index<side>(x, y, 0);
+      below.template store_across<k_margin>(own, to);
+      own.template store_across<k_margin>(above, to + 4);
     }
   return true;
 }
 
-/// Sums of three, weighted (1, centre, 1), along x, y or z if the stride is k_plane, k_line or 1.
+/// Sums of three, weighted (1, centre, 1), along x, y or z if the stride is that of a plane, of a line or 1.
 template <int stride, class Real, int from, int count>
 void sum(const Numbers<Real, from>& in, Real centre, Numbers<Real, count>& out) {
   static_assert(count + 2 * stride <= from);
@@ -79,33 +93,34 @@ void difference(const Numbers<Real, from>& in, Numbers<Real, count>& out) {
 
 /// The block's own nodes, times a factor.
 template <class Real>
-void pick(const Numbers<Real, k_after_z>& in, Real factor, std::array<Real, k_block_nodes>& out) {
+void pick(const Numbers<Real, k_after_z<k_narrow>>& in, Real factor, std::array<Real, k_block_nodes>& out) {
   for (int x = 0; x < 4; ++x)
     for (int y = 0; y < 4; ++y)
-      for (int z = 0; z < 4; ++z) out[static_cast<std::size_t>(node_in_block(x, y, z))] = factor * in.at[halo_index(x, y, z)];
+      for (int z = 0; z < 4; ++z) out[static_cast<std::size_t>(node_in_block(x, y, z))] = factor * in.at[halo_index<k_narrow>(x, y, z)];
 }
 
 /// (1, 2, 1)/4 along each axis, times a factor.
 template <class Real>
-void blur(const Halo<Real>& in, Real factor, std::array<Real, k_block_nodes>& out) {
-  Numbers<Real, k_after_x> x;
-  Numbers<Real, k_after_y> xy;
-  Numbers<Real, k_after_z> xyz;
-  sum<k_plane>(in, Real(2), x);
+void blur(const Halo<Real, k_narrow>& in, Real factor, std::array<Real, k_block_nodes>& out) {
+  Numbers<Real, k_after_x<k_narrow>> x;
+  Numbers<Real, k_after_y<k_narrow>> xy;
+  Numbers<Real, k_after_z<k_narrow>> xyz;
+  sum<k_plane<k_narrow>>(in, Real(2), x);
   sum<k_line>(x, Real(2), xy);
   sum<1>(xy, Real(2), xyz);
   pick(xyz, factor / 64, out);
 }
 
 /// 64 times the differences over two nodes along each axis, smoothed by (1, 6, 1)/8 along the other two.
-template <class Real>
+template <class Real, int side>
 struct Gradient {
-  Numbers<Real, k_after_z> along[3];
-  explicit Gradient(const Halo<Real>& psi) {
-    Numbers<Real, k_after_x> smooth, d_x;
-    Numbers<Real, k_after_y> smooth_smooth, d_x_smooth, smooth_d_y;
-    sum<k_plane>(psi, Real(6), smooth);
-    difference<k_plane>(psi, d_x);
+  static constexpr int k_count = k_after_z<side>;
+  Numbers<Real, k_count> along[3];
+  explicit Gradient(const Halo<Real, side>& psi) {
+    Numbers<Real, k_after_x<side>> smooth, d_x;
+    Numbers<Real, k_after_y<side>> smooth_smooth, d_x_smooth, smooth_d_y;
+    sum<k_plane<side>>(psi, Real(6), smooth);
+    difference<k_plane<side>>(psi, d_x);
     sum<k_line>(smooth, Real(6), smooth_smooth);
     sum<k_line>(d_x, Real(6), d_x_smooth);
     difference<k_line>(smooth, smooth_d_y);
@@ -113,7 +128,40 @@ struct Gradient {
     sum<1>(smooth_d_y, Real(6), along[1]);
     difference<1>(smooth_smooth, along[2]);
   }
+  Real squared(int i) const { return along[0].at[i] * along[0].at[i] + along[1].at[i] * along[1].at[i] + along[2].at[i] * along[2].at[i]; }
 };
+
+/// dx (k_1 + k_2) = -dx div n, the sum of the principal curvatures of the levels of phi, positive on a ball; n = grad phi / |grad phi|. The
+/// slope k_level keeps it finite where phi is level. Of the block's own nodes.
+template <class Real>
+void find_curvature(const Halo<Real, k_wide>& phi, std::array<Real, k_block_nodes>& out) {
+  constexpr Real k_level = Real(0.02 * 128);
+  constexpr int k_normals = k_after_z<k_wide>, k_x = k_normals - 2 * k_plane<k_wide>, k_xy = k_x - 2 * k_line, k_xyz = k_xy - 2;
+  static_assert(halo_index<k_wide>(3, 3, 3) < k_xyz);
+  Gradient<Real, k_wide> n(phi);
+  for (int i = 0; i < k_normals; ++i) {
+    const Real inverse = 1 / std::sqrt(n.squared(i) + k_level * k_level);
+    for (auto& along : n.along) along.at[i] *= inverse;
+  }
+  Numbers<Real, k_x> x[3];
+  difference<k_plane<k_wide>>(n.along[0], x[0]);
+  sum<k_plane<k_wide>>(n.along[1], Real(6), x[1]);
+  sum<k_plane<k_wide>>(n.along[2], Real(6), x[2]);
+  Numbers<Real, k_xy> xy[3];
+  sum<k_line>(x[0], Real(6), xy[0]);
+  difference<k_line>(x[1], xy[1]);
+  sum<k_line>(x[2], Real(6), xy[2]);
+  Numbers<Real, k_xyz> xyz[3];
+  sum<1>(xy[0], Real(6), xyz[0]);
+  sum<1>(xy[1], Real(6), xyz[1]);
+  difference<1>(xy[2], xyz[2]);
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      for (int k = 0; k < 4; ++k) {
+        const int at = halo_index<k_wide>(i, j, k);
+        out[static_cast<std::size_t>(node_in_block(i, j, k))] = (xyz[0].at[at] + xyz[1].at[at] + xyz[2].at[at]) * Real(-1. / 128);
+      }
+}
 
 /// Nodes of a block along one axis that are images of others in a face of the domain: node i is that of node[i] of `block`, or of
 /// none (-1).
@@ -155,6 +203,16 @@ bool is_constant(const Numbers<Real, count>& in) {
   return others == 0;
 }
 
+/// What smoothing took off the area of a curved surface. Smoothing with the variance sigma^2 per axis moves a level by sigma^2 (k_1 +
+/// k_2)/2 towards the centre, which leaves 1 - sigma^2/2 (k_1 + k_2)^2 of its area. sigma^2 is 1/2 of B and 1/4 of the quadratic B-spline,
+/// and acts like 0.08 more for the stencil of the gradient (by measurement). Bounded where the surface bends within a cell.
+template <class Real>
+Real unrounded(Real r, Real bend) {
+  constexpr Real k_half_variance = Real(0.415), k_most = Real(0.5);
+  const Real K = r > 0 ? bend / r : Real(0);
+  return 1 + std::min(k_half_variance * K * K, k_most);
+}
+
 template <class Nodes>
 bool any_positive(const Nodes& nodes) {
   return std::any_of(nodes.begin(), nodes.end(), [](auto value) { return value > 0; });
@@ -163,12 +221,13 @@ bool any_positive(const Nodes& nodes) {
 }  // namespace
 
 template <class Real>
-void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volume_channel, int conductivity_channel, double depth,
-                                       const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts) {
+void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volume_channel, int conductivity_channel,
+                                       const SurfaceLayer<Real>& layer, const ActiveBlocks& active, const GridGeometry& geometry,
+                                       const Contacts& contacts) {
   const std::size_t n = active.at.size();
-  depth_ = depth;
+  layer_ = layer;
   conductivity_.resize(conductivity_channel < 0 ? 0 : n);
-  for (auto* field : {&volume_, &mirrored_, &smooth_, &density_}) field->resize(n);
+  for (auto* field : {&volume_, &mirrored_, &smooth_, &density_, &bend_}) field->resize(n);
   covers_.resize(n);
   blocks_.assign(n, {});
   for_each_parallel(n, 16, [&](std::size_t s) {
@@ -221,11 +280,11 @@ void FreeSurfaceMeasure<Real>::mirror(std::size_t s, const ActiveBlocks& active,
 /// phi~
 template <class Real>
 void FreeSurfaceMeasure<Real>::smooth(std::size_t s, const ActiveBlocks& active, double dx) {
-  Halo<Real> halo;
+  Halo<Real, k_narrow> halo;
   const auto volumes = [&](std::size_t i) {
     return blocks_[i].is_mirrored ? &mirrored_[i] : blocks_[i].has_volume ? &volume_[i] : nullptr;
   };
-  blocks_[s].is_empty = !load_halo(active.around[s], volumes, halo);
+  blocks_[s].is_empty = !load_halo<k_narrow>(active.around[s], volumes, halo);
   if (blocks_[s].is_empty) return;
   blur(halo, static_cast<Real>(1 / (dx * dx * dx)), smooth_[s]);
   int full = 0, empty = 0;
@@ -240,42 +299,48 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
                                             const Contacts& contacts) {
   const auto is_full = [&](std::int32_t slot) { return slot >= 0 && blocks_[static_cast<std::size_t>(slot)].is_full; };
   if (blocks_[s].is_empty || std::all_of(active.around[s].begin(), active.around[s].end(), is_full)) return;
-  Halo<Real> psi;
-  load_halo(
-      active.around[s], [&](std::size_t i) { return blocks_[i].is_empty ? nullptr : &smooth_[i]; }, psi);
+  const auto phi_of = [&](std::size_t i) { return blocks_[i].is_empty ? nullptr : &smooth_[i]; };
+  Halo<Real, k_narrow> psi;
+  load_halo<k_narrow>(active.around[s], phi_of, psi);
   constexpr Real k_outside = Real(0.2), k_slope = 1 / (k_full - k_outside);
   for (Real& value : psi.at) value = std::min(std::max((value - k_outside) * k_slope, Real(0)), Real(1));
   if (is_constant(psi)) return;
-  const Gradient<Real> g(psi);
-  Numbers<Real, k_after_z> squared;
-  for (int i = 0; i < k_after_z; ++i)
-    squared.at[i] = g.along[0].at[i] * g.along[0].at[i] + g.along[1].at[i] * g.along[1].at[i] + g.along[2].at[i] * g.along[2].at[i];
+  const Gradient<Real, k_narrow> g(psi);
+  Numbers<Real, k_after_z<k_narrow>> squared;
+  for (int i = 0; i < g.k_count; ++i) squared.at[i] = g.squared(i);
   Nodes& r = density_[s];
   pick(squared, Real(1), r);
   const Real per_length = static_cast<Real>(1 / (64 * 2 * geometry.dx()));
   for (std::size_t k = 0; k < k_block_nodes; ++k)
     r[k] = smooth_[s][k] < k_no_dough ? Real(0) : std::sqrt(r[k]) * per_length / smooth_[s][k];
   blocks_[s].has_density = any_positive(r);
+  if (!blocks_[s].has_density) return;
+  Halo<Real, k_wide> phi;
+  load_halo<k_wide>(active.around[s], phi_of, phi);
+  for (Real& value : phi.at) value = value < k_no_dough ? Real(0) : value;  // as in blocks that are empty
+  Nodes& bend = bend_[s];
+  find_curvature(phi, bend);
+  for (std::size_t k = 0; k < k_block_nodes; ++k) bend[k] *= r[k];
   const double reach = 2.5 * geometry.dx();
-  if (!blocks_[s].has_density || !contacts.near(active.at[s], reach)) return;
+  if (!contacts.near(active.at[s], reach)) return;
   const Point origin = geometry.origin(active.at[s]);
   for (std::size_t k = 0; k < k_block_nodes; ++k) {
     if (r[k] == 0) continue;
     const auto [x, y, z] = coordinates_in_block(static_cast<int>(k));
-    const int i = halo_index(x, y, z);
+    const int i = halo_index<k_narrow>(x, y, z);
     const Vector3 inward{double(g.along[0].at[i]), double(g.along[1].at[i]), double(g.along[2].at[i])};
     const auto heat = contacts.covering(node_position(origin, geometry.dx(), static_cast<int>(k)), (-1 / length(inward)) * inward, reach);
     if (!heat) continue;
     auto cover = std::find_if(covers_[s].begin(), covers_[s].end(), [&](const Cover& c) { return c.heat == *heat; });
-    if (cover == covers_[s].end()) cover = covers_[s].insert(cover, Cover{*heat, {}});
+    if (cover == covers_[s].end()) cover = covers_[s].insert(cover, Cover{*heat, {}, {}});
     cover->density[k] = r[k];
-    r[k] = 0;
+    cover->bend[k] = bend[k];
+    r[k] = bend[k] = 0;
   }
   blocks_[s].has_density = any_positive(r);
 }
 
-/// A = V B^T r, and what passes: beta / (1 + beta d / kappa) of it, for the layer between the nodes and the surface conducts as well, kappa
-/// being the mean of w V kappa.
+/// A = V r f with blurred r, and what passes: the layer between the nodes and the surface conducts as well.
 template <class Real>
 bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& active, const Air& air, BlockSurroundings<Real>& out) const {
   if (!published_.empty()) {
@@ -285,33 +350,36 @@ bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& activ
   if (!blocks_[s].has_volume) return false;
   const Nodes& V = volume_[s];
   bool any = false;
-  Halo<Real> halo;
-  const auto add = [&](auto density_of, Real(&area)[k_block_nodes], double coefficient, double temperature) {
-    if (!load_halo(active.around[s], density_of, halo)) return;
+  Halo<Real, k_narrow> halo;
+  const auto add = [&](auto density_of, auto bend_of, Real(&area)[k_block_nodes], double coefficient, double temperature) {
+    if (!load_halo<k_narrow>(active.around[s], density_of, halo)) return;
     if (!any) out = {};
     any = true;
-    Nodes r;
+    Nodes r, bend;
     blur(halo, Real(1), r);
-    const auto beta = static_cast<Real>(coefficient), beta_theta = static_cast<Real>(coefficient * temperature),
-               beta_d = static_cast<Real>(coefficient * depth_);
+    load_halo<k_narrow>(active.around[s], bend_of, halo);
+    blur(halo, Real(1), bend);
+    const auto beta = static_cast<Real>(coefficient), beta_theta = static_cast<Real>(coefficient * temperature);
     for (std::size_t k = 0; k < k_block_nodes; ++k) {
-      const Real A = V[k] * r[k];
+      const Real A = V[k] * r[k] * unrounded(r[k], bend[k]);
       area[k] += A;
-      const Real passes = conductivity_.empty() || !(A * beta > 0) ? A : A * conductivity_[s][k] / (conductivity_[s][k] + beta_d * V[k]);
+      const Real passes = conductivity_.empty() ? A : A * layer_.share_that_passes(beta * V[k], conductivity_[s][k]);
       out.heat_transfer[k] += beta * passes;
       out.heat_transfer_source[k] += beta_theta * passes;
     }
   };
-  add([&](std::size_t i) { return blocks_[i].has_density ? &density_[i] : nullptr; }, out.area, air.heat_transfer_coefficient,
+  add([&](std::size_t i) { return blocks_[i].has_density ? &density_[i] : nullptr; },
+      [&](std::size_t i) { return blocks_[i].has_density ? &bend_[i] : nullptr; }, out.area, air.heat_transfer_coefficient,
       air.temperature);
-  for (const ContactHeat& heat : heats_)
-    add(
-        [&](std::size_t i) -> const Nodes* {
-          for (const Cover& cover : covers_[i])
-            if (cover.heat == heat) return &cover.density;
-          return nullptr;
-        },
+  for (const ContactHeat& heat : heats_) {
+    const auto of_cover = [&](std::size_t i, Nodes Cover::*nodes) -> const Nodes* {
+      for (const Cover& cover : covers_[i])
+        if (cover.heat == heat) return &(cover.*nodes);
+      return nullptr;
+    };
+    add([&](std::size_t i) { return of_cover(i, &Cover::density); }, [&](std::size_t i) { return of_cover(i, &Cover::bend); },
         out.contact_area, heat.heat_transfer_coefficient, heat.temperature);
+  }
   return any;
 }
 
