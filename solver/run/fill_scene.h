@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes particles of bodies and emitters.
+// Makes particles of bodies and emitters. All particles of a shape have the same volume, and together they have the shape's, whatever the
+// filling and the grid. (It counts wholly if it reaches out of the domain by less than a particle; by more, it is refused.)
 #pragma once
 
 #include <cstdint>
