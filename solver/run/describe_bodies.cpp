@@ -111,9 +111,8 @@ std::string describe_bodies(const Scene& scene) {
     if (const double share = thing.volume / (usual * static_cast<double>(thing.particles.size()));
         body.shape && std::abs(share - 1) > k_most_off)
       warnings += fmt::format(
-          "  warning      {}: its particles have {:.2f} of their usual volume, because its shape is thinner than they resolve at dx = "
-          "{:.4g} m "
-          "(its mass is right; a finer --quality or grid.dx_m, or more particles_per_cell, resolves it)\n",
+          "  warning      {}: its particles have {:.2f} of their usual volume: at dx = {:.4g} m its shape is only a few of them thick (its "
+          "mass is right; a finer --quality or grid.dx_m, or more particles_per_cell, resolves it)\n",
           thing.name, share, scene.dx());
   }
   return text + overlaps + warnings;
