@@ -76,14 +76,6 @@ std::vector<Point> fill(const Scene& scene, const ShapeToFill& s) {
   return points;
 }
 
-/// Calls add(x, volume) for each particle of a shape. They share the shape's volume evenly, so that it weighs the same however few they
-/// are.
-void fill(const Scene& scene, const ShapeToFill& s, const std::function<void(const Point&, double)>& add) {
-  const std::vector<Point> points = fill(scene, s);
-  const double volume = s.shape->volume() / static_cast<double>(points.size());
-  for (const Point& x : points) add(x, volume);
-}
-
 void check_lattice(const Scene& scene, const ShapeToFill& s) {
   const Expected expected(scene, s.name);
   bool any = false;
@@ -136,7 +128,9 @@ std::vector<NewParticle> fill_bodies(const Scene& scene) {
       for (std::size_t i = 0; i < file.positions.size(); ++i)
         add(file.positions[i], file.volumes[i], file.materials.empty() ? material : file.materials[i]);
     } else {
-      fill(scene, to_fill(scene, body, b), [&](const Point& x, double volume) { add(x, volume, material); });
+      const std::vector<Point> points = fill(scene, to_fill(scene, body, b));
+      const double volume = body.shape->volume() / static_cast<double>(points.size());
+      for (const Point& x : points) add(x, volume, material);
     }
     spin_about_centre(particles, first, body.angular_velocity_rad_per_s);
   }
@@ -171,11 +165,11 @@ EmitterState::EmitterState(const Scene& scene, const Emitter& emitter, std::size
   const double h = s.spacing, speed = length(emitter.velocity_m_per_s);
   const Vector3 direction = (1 / speed) * emitter.velocity_m_per_s;
   double low = k_infinity, high = -k_infinity;
-  fill(scene, s, [&](const Point& x, double volume) {
-    portion_.push_back({x, volume, material_number(scene, emitter.material), emitter.velocity_m_per_s, {0, 0, 0}, &body_});
+  for (const Point& x : fill(scene, s)) {
+    portion_.push_back({x, h * h * h, material_number(scene, emitter.material), emitter.velocity_m_per_s, {0, 0, 0}, &body_});
     low = std::min(low, dot(x, direction));
     high = std::max(high, dot(x, direction));
-  });
+  }
   // the column of dough is as long as its particles reach, and half a spacing more at either end
   period_ = (high - low + h) / speed;
 }

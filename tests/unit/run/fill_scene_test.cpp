@@ -65,16 +65,5 @@ TEST(FillBodies, LeavesVolumesFromAFileAsTheyAre) {
   EXPECT_EQ(weight(fill_bodies(fills.scene())), weight(draft));
 }
 
-TEST(Emitters, PourTheVolumeOfTheirShape) {
-  for (const double dx : {1e-3, 1.3e-3, 4e-3}) {
-    Fills fills;
-    fills.dx = dx;
-    fills.tables = "[[emitter]]\nmaterial = \"dough\"\nvelocity_m_per_s = [0, 0, -1]\nshape = { sphere = { radius_m = 0.009 } }";
-    const Scene scene = fills.scene();
-    EmitterState emitter(scene, scene.emitters[0], 0);
-    EXPECT_NEAR(weight(emitter.pour()) / (4 * std::numbers::pi / 3 * std::pow(0.009, 3)), 1, 1e-12) << dx;
-  }
-}
-
 }  // namespace
 }  // namespace bake
