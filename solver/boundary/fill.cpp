@@ -148,6 +148,35 @@ class PoissonSampler {
   std::vector<std::int32_t> active_;
 };
 
+/// Adds up the volume of a shape in cubes.
+struct VolumeSampler {
+  explicit VolumeSampler(const Shape& of) : shape(of) {}
+
+  const Shape& shape;
+  Random random{2019};
+  double volume = 0;  ///< [m^3]
+  double cut = 0;     ///< cubes of the finest size that the surface may cut
+
+  void add(const Point& centre, double edge, int halvings) {
+    const double distance = shape.distance(centre), reach = 0.5 * std::sqrt(3.0) * edge;
+    if (distance > reach) return;
+    if (distance < -reach) {
+      volume += edge * edge * edge;
+      return;
+    }
+    if (halvings == 0) {
+      ++cut;
+      const Vector3 off = 0.5 * edge * random.in_cube();
+      for (const Point& x : {centre + off, centre - off})
+        if (shape.distance(x) <= 0) volume += 0.5 * edge * edge * edge;
+      return;
+    }
+    for (const double x : {-0.25, 0.25})
+      for (const double y : {-0.25, 0.25})
+        for (const double z : {-0.25, 0.25}) add(centre + edge * Vector3{x, y, z}, 0.5 * edge, halvings - 1);
+  }
+};
+
 }  // namespace
 
 void visit_lattice(const Shape& shape, double spacing_m, double jitter, std::uint64_t seed, const std::function<bool(const Point&)>& wanted,
@@ -186,12 +215,29 @@ std::vector<Point> fill_poisson(const Shape& shape, double spacing_m, std::uint6
 }
 
 FillingSize estimate_filling(const Shape& shape, double spacing_m) {
-  constexpr double k_samples = 1e5;
-  const Box3 box = shape.bounds();
-  double coarse = spacing_m;
-  while (places_in(box, coarse) > k_samples) coarse *= 2;
-  const double ratio = coarse / spacing_m, sampled = static_cast<double>(fill_lattice(shape, coarse, 1, 0).size());
-  return {sampled > 0 ? sampled * ratio * ratio * ratio : 0, places_in(box, spacing_m)};
+  return {shape.volume() / (spacing_m * spacing_m * spacing_m), places_in(shape.bounds(), spacing_m)};
 }
+
+double sampled_volume(const Shape& shape, double at_least_m3) {
+  constexpr double k_error = 2e-4, k_most_cut = 5e5;
+  constexpr int k_most_halvings = 40;  // beyond it are rounding errors: of a shape that touches itself in a point
+  const Box3 box = shape.bounds();
+  const Vector3 extent = box.high - box.low;
+  const double longest = *std::max_element(extent.begin(), extent.end());
+  if (!std::isfinite(longest)) return k_infinity;
+  if (!(*std::min_element(extent.begin(), extent.end()) > 0)) return 0;
+  const double edge = longest / 16;
+  for (int halvings = 0;; ++halvings) {
+    VolumeSampler sampler(shape);
+    for (double x = 0.5; (x - 0.5) * edge < extent[0]; ++x)
+      for (double y = 0.5; (y - 0.5) * edge < extent[1]; ++y)
+        for (double z = 0.5; (z - 0.5) * edge < extent[2]; ++z) sampler.add(box.low + edge * Vector3{x, y, z}, edge, halvings);
+    const double finest = std::ldexp(edge, -halvings), error = 0.25 * std::sqrt(sampler.cut) * finest * finest * finest;
+    if (error <= k_error * std::max(sampler.volume, at_least_m3) || sampler.cut > k_most_cut || halvings == k_most_halvings)
+      return sampler.volume;
+  }
+}
+
+double Shape::volume() const { return sampled_volume(*this); }
 
 }  // namespace bake

@@ -30,6 +30,8 @@ class Shape {
   virtual Point normal(const Point& x) const;
   /// A box that contains the solid; half-spaces and complements have infinite extents.
   virtual Box3 bounds() const = 0;
+  /// [m^3]; infinite for a solid without end. Of combinations and parts of them it is sampled, see sampled_volume (fill.h).
+  virtual double volume() const;
 };
 
 using ShapePtr = std::shared_ptr<const Shape>;

@@ -2,11 +2,14 @@
 #include "solver/boundary/shapes.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "solver/core/vector3.h"
 
 namespace bake {
 namespace {
+
+constexpr double k_pi = std::numbers::pi;
 
 Box3 box_around(const Point& centre, const Vector3& half) { return {centre - half, centre + half}; }
 
@@ -31,6 +34,8 @@ double box_distance(const Vector3& y, const Vector3& half) {
   const Vector3 excess = magnitudes(y) - half;
   return length(beyond(excess)) + std::min(*std::max_element(excess.begin(), excess.end()), 0.0);
 }
+
+double box_volume(const Vector3& half) { return 8 * half[0] * half[1] * half[2]; }
 
 Vector3 box_normal(const Vector3& y, const Vector3& half) {
   const Vector3 excess = magnitudes(y) - half;
@@ -77,6 +82,8 @@ Vector3 ellipsoid_foot(Vector3 y, const Vector3& e) {
   }
   return foot;
 }
+
+double ellipsoid_volume(const Vector3& e) { return 4 * k_pi / 3 * e[0] * e[1] * e[2]; }
 
 // --- round bodies about an axis: a trapezoid in the plane of height along the axis and radius
 
@@ -148,6 +155,10 @@ Box3 frustum_bounds(const Frustum& f) {
   return box;
 }
 
+double frustum_volume(double height, double from_radius, double to_radius) {
+  return k_pi / 3 * height * (from_radius * from_radius + from_radius * to_radius + to_radius * to_radius);
+}
+
 // --- superellipsoid: N(y) = ((|y_x/a|^p + |y_y/b|^p)^(q/p) + |y_z/c|^q)^(1/q) is a norm, the surface is N = 1
 
 struct Gauge {
@@ -189,6 +200,7 @@ Point Shape::normal(const Point& x) const {
 double Box::distance(const Point& x) const { return box_distance(x - centre_m, half_extents_m); }
 Point Box::normal(const Point& x) const { return box_normal(x - centre_m, half_extents_m); }
 Box3 Box::bounds() const { return box_around(centre_m, half_extents_m); }
+double Box::volume() const { return box_volume(half_extents_m); }
 
 std::string RoundedBox::check() const {
   const double smallest = *std::min_element(half_extents_m.begin(), half_extents_m.end());
@@ -199,10 +211,15 @@ double RoundedBox::distance(const Point& x) const {
 }
 Point RoundedBox::normal(const Point& x) const { return box_normal(x - centre_m, half_extents_m - Vector3{radius_m, radius_m, radius_m}); }
 Box3 RoundedBox::bounds() const { return box_around(centre_m, half_extents_m); }
+double RoundedBox::volume() const {  // the box within, its faces thickened, quarters of cylinders along its edges, a ball in its corners
+  const double r = radius_m, a = half_extents_m[0] - r, b = half_extents_m[1] - r, c = half_extents_m[2] - r;
+  return box_volume({a, b, c}) + 8 * r * (a * b + b * c + c * a) + 2 * k_pi * r * r * (a + b + c) + ellipsoid_volume({r, r, r});
+}
 
 double Sphere::distance(const Point& x) const { return length(x - centre_m) - radius_m; }
 Point Sphere::normal(const Point& x) const { return unit(x - centre_m); }
 Box3 Sphere::bounds() const { return box_around(centre_m, {radius_m, radius_m, radius_m}); }
+double Sphere::volume() const { return ellipsoid_volume({radius_m, radius_m, radius_m}); }
 
 double Ellipsoid::distance(const Point& x) const {
   const Vector3 y = magnitudes(x - centre_m);
@@ -216,11 +233,13 @@ Point Ellipsoid::normal(const Point& x) const {
   return unit(with_signs({foot[0] / (e[0] * e[0]), foot[1] / (e[1] * e[1]), foot[2] / (e[2] * e[2])}, x - centre_m));
 }
 Box3 Ellipsoid::bounds() const { return box_around(centre_m, half_axes_m); }
+double Ellipsoid::volume() const { return ellipsoid_volume(half_axes_m); }
 
 std::string Cylinder::check() const { return from_m != to_m ? "" : "from_m and to_m are the same point"; }
 double Cylinder::distance(const Point& x) const { return frustum_distance(frustum(from_m, to_m, radius_m, radius_m), x); }
 Point Cylinder::normal(const Point& x) const { return frustum_normal(frustum(from_m, to_m, radius_m, radius_m), x); }
 Box3 Cylinder::bounds() const { return frustum_bounds(frustum(from_m, to_m, radius_m, radius_m)); }
+double Cylinder::volume() const { return frustum_volume(length(to_m - from_m), radius_m, radius_m); }
 
 std::string Cone::check() const {
   if (from_m == to_m) return "from_m and to_m are the same point";
@@ -229,6 +248,7 @@ std::string Cone::check() const {
 double Cone::distance(const Point& x) const { return frustum_distance(frustum(from_m, to_m, from_radius_m, to_radius_m), x); }
 Point Cone::normal(const Point& x) const { return frustum_normal(frustum(from_m, to_m, from_radius_m, to_radius_m), x); }
 Box3 Cone::bounds() const { return frustum_bounds(frustum(from_m, to_m, from_radius_m, to_radius_m)); }
+double Cone::volume() const { return frustum_volume(length(to_m - from_m), from_radius_m, to_radius_m); }
 
 namespace {
 
@@ -251,6 +271,9 @@ Box3 Capsule::bounds() const {
   }
   return box;
 }
+double Capsule::volume() const {
+  return frustum_volume(length(to_m - from_m), radius_m, radius_m) + ellipsoid_volume({radius_m, radius_m, radius_m});
+}
 
 // N is homogeneous of degree 1, so (N - 1) / |grad N| is the distance of the plane that touches the surface on the ray
 // from the centre to x: never more than the exact distance.
@@ -263,6 +286,11 @@ Point Superellipsoid::normal(const Point& x) const {
   return unit(with_signs(superellipsoid_gauge(magnitudes(y), half_axes_m, plan_exponent, profile_exponent).gradient, y));
 }
 Box3 Superellipsoid::bounds() const { return box_around(centre_m, half_axes_m); }
+double Superellipsoid::volume() const {  // slices across z are scaled outlines, so beta functions give both integrals
+  const double p = plan_exponent, q = profile_exponent, plan = std::tgamma(1 + 1 / p);
+  return box_volume(half_axes_m) * plan * plan / std::tgamma(1 + 2 / p) * std::tgamma(1 + 2 / q) * std::tgamma(1 + 1 / q) /
+         std::tgamma(1 + 3 / q);
+}
 
 std::string HalfSpace::check() const { return length(outward_normal) > 0 ? "" : "normal has length 0"; }
 double HalfSpace::distance(const Point& x) const { return dot(x - point_m, unit(outward_normal)); }

@@ -28,6 +28,7 @@ struct Box final : Shape {
   double distance(const Point& x) const override;
   Point normal(const Point& x) const override;
   Box3 bounds() const override;
+  double volume() const override;
 };
 
 struct RoundedBox final : Shape {
@@ -49,6 +50,7 @@ struct RoundedBox final : Shape {
   double distance(const Point& x) const override;
   Point normal(const Point& x) const override;
   Box3 bounds() const override;
+  double volume() const override;
 };
 
 struct Sphere final : Shape {
@@ -66,6 +68,7 @@ struct Sphere final : Shape {
   double distance(const Point& x) const override;
   Point normal(const Point& x) const override;
   Box3 bounds() const override;
+  double volume() const override;
 };
 
 struct Ellipsoid final : Shape {
@@ -83,6 +86,7 @@ struct Ellipsoid final : Shape {
   double distance(const Point& x) const override;
   Point normal(const Point& x) const override;
   Box3 bounds() const override;
+  double volume() const override;
 };
 
 struct Cylinder final : Shape {
@@ -102,6 +106,7 @@ struct Cylinder final : Shape {
   double distance(const Point& x) const override;
   Point normal(const Point& x) const override;
   Box3 bounds() const override;
+  double volume() const override;
 };
 
 struct Capsule final : Shape {
@@ -121,6 +126,7 @@ struct Capsule final : Shape {
   double distance(const Point& x) const override;
   Point normal(const Point& x) const override;
   Box3 bounds() const override;
+  double volume() const override;
 };
 
 struct Cone final : Shape {
@@ -142,6 +148,7 @@ struct Cone final : Shape {
   double distance(const Point& x) const override;
   Point normal(const Point& x) const override;
   Box3 bounds() const override;
+  double volume() const override;
 };
 
 /// (|x/a|^p + |y/b|^p)^(q/p) + |z/c|^q <= 1 with p = plan_exponent, q = profile_exponent. First-order distance.
@@ -167,6 +174,7 @@ struct Superellipsoid final : Shape {
   double distance(const Point& x) const override;
   Point normal(const Point& x) const override;
   Box3 bounds() const override;
+  double volume() const override;
 };
 
 struct HalfSpace final : Shape {

@@ -128,8 +128,9 @@ std::vector<NewParticle> fill_bodies(const Scene& scene) {
       for (std::size_t i = 0; i < file.positions.size(); ++i)
         add(file.positions[i], file.volumes[i], file.materials.empty() ? material : file.materials[i]);
     } else {
-      const ShapeToFill s = to_fill(scene, body, b);
-      for (const Point& x : fill(scene, s)) add(x, s.spacing * s.spacing * s.spacing, material);
+      const std::vector<Point> points = fill(scene, to_fill(scene, body, b));
+      const double volume = body.shape->volume() / static_cast<double>(points.size());
+      for (const Point& x : points) add(x, volume, material);
     }
     spin_about_centre(particles, first, body.angular_velocity_rad_per_s);
   }

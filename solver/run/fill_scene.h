@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Makes particles of bodies and emitters.
+// Makes particles of bodies and emitters. All particles of a body's shape have the same volume, and together they have the shape's,
+// whatever the filling and the grid. (It counts wholly if it reaches out of the domain by less than a particle; by more, it is refused.)
+// An emitter has no volume but a rate, a portion's over the time in which it moves away by its own length: both are those of the lattice,
+// each particle a cell of it, so that their errors cancel.
 #pragma once
 
 #include <cstdint>

@@ -18,6 +18,7 @@
 #include "solver/io/provenance.h"
 #include "solver/io/scratch_folder.h"
 #include "solver/run/check_scene.h"
+#include "solver/run/describe_bodies.h"
 #include "solver/run/ledger.h"
 #include "solver/run/simulation.h"
 #include "solver/scene/describe.h"
@@ -284,6 +285,7 @@ std::string describe_scene(const Scene& scene, int threads) {
   for (const std::string& e : scene.effects) effects += (effects.empty() ? "" : ", ") + e;
   std::string text = fmt::format("{}\n  effects      {}\n  precision    {}\n",
                                  scene.title.empty() ? scene.file.stem().string() : scene.title, effects, word_of(scene.run.precision));
+  text += describe_bodies(scene);
   std::optional<Costs> costs;
   std::string tried;
   for (const Quality quality : {Quality::draft, Quality::standard, Quality::paper}) {

@@ -28,9 +28,9 @@ struct RunSummary {
 /// Simulates the scene. Throws InputError (nothing was written), OutputError, RunError (the last checkpoint is kept).
 RunSummary run_scene(const Scene& scene, const RunOptions& options);
 
-/// What `bake info` prints: effects, particles, memory, and steps and time at each quality, estimated from a short trial at the coarsest
-/// one that can be run; of the others it says why they cannot. Throws InputError if the scene's own quality cannot. `threads` as in
-/// RunOptions.
+/// What `bake info` prints: effects, bodies (describe_bodies.h), particles, memory, and steps and time at each quality, estimated from a
+/// short trial at the coarsest one that can be run; of the others it says why they cannot. Throws InputError if the scene's own quality
+/// cannot. `threads` as in RunOptions.
 std::string describe_scene(const Scene& scene, int threads = 0);
 
 }  // namespace bake

@@ -127,7 +127,7 @@ TEST(CommandLine, ScenesAreFoundByNameFromAnyFolderBelow) {
 TEST(CommandLine, QuestionsAreAnswered) {
   const Workplace place;
   expect_success(place, "list", "Dough at rest");
-  expect_success(place, "info dough", "");
+  expect_success(place, "info dough", "\n  body.0       dough: 1 kg, 0.001 m^3, 0 kg of it water, 125 particles\n");
   expect_success(place, "explain run.end_s", "end_s");
   expect_success(place, "explain", "density_kg_per_m3");
   expect_success(place, "version", "bake ");
@@ -139,7 +139,7 @@ TEST(CommandLine, QuestionsAreAnswered) {
 TEST(CommandLine, InfoWarnsOfAnEffectThatAMaterialNamesAndTheSceneDoesNotList) {
   const Workplace place;
   const auto warnings = [&](const std::string& scene) {
-    return place.bake("info " + scene).out.find("\n  warning      ") != std::string::npos;
+    return place.bake("info --quality paper " + scene).out.find("\n  warning      ") != std::string::npos;
   };
   EXPECT_FALSE(warnings("dough"));
   std::string text = contents(place.folder() / "experiments/fig01_dough/dough.toml");

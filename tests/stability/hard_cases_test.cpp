@@ -292,7 +292,7 @@ TEST(OneOrSixtyFourParticlesPerCell, AreNoSpecialCase) {
 // A film of one cell, all of it surface, and a ball whose middle dries through its crust. Diffusion and evaporation are in proportion to
 // the water that is left: it falls exponentially, and passes round-off of what was there.
 TEST(AllWater, CanEvaporateAndNoneIsOwed) {
-  const char* shapes[] = {"box = { half_extents_m = [0.4, 0.4, 0.05] }", "sphere = { radius_m = 0.2 }"};
+  const char* shapes[] = {"box = { half_extents_m = [0.375, 0.375, 0.0625] }", "sphere = { radius_m = 0.2 }"};
   for (const char* precision : {"double", "single"})
     for (const char* effects : {"heat, water", k_everything})
       for (const char* shape : shapes) {

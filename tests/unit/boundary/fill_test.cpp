@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "tests/unit/boundary/sampling.h"
@@ -81,6 +82,35 @@ TEST(EstimateFilling, KnowsAboutHowManyPointsThereWillBe) {
     EXPECT_NEAR(size.points / 1e12, 1, 0.03) << sample.name;
     EXPECT_GT(size.places, size.points) << sample.name;
   }
+}
+
+TEST(SampledVolume, IsRightForCombinations) {
+  const double pi = std::numbers::pi;
+  const auto shell = [](double thickness) {
+    return make_difference(make_sphere({0, 0, 0}, 0.1), {make_sphere({0, 0, 0}, 0.1 - thickness)});
+  };
+  for (const double t : {0.05, 0.01, 0.001}) EXPECT_NEAR(shell(t)->volume() / (4 * pi / 3 * (1e-3 - std::pow(0.1 - t, 3))), 1, 1e-3) << t;
+  const ShapePtr grains = make_union({make_sphere({0, 0, 0}, 1e-3), make_sphere({100, 1, 1}, 2e-3)});
+  EXPECT_NEAR(grains->volume() / (4 * pi / 3 * 9e-9), 1, 1e-3);
+  const ShapePtr slanting = make_transformed(make_box({0, 0, 0}, {0.1, 0.1, 0.002}), 1, {0, 45, 0}, {0.01, 0, 0});
+  EXPECT_NEAR(make_intersection({slanting, make_half_space({0.01, 0, 0}, {0, 1, 0})})->volume() / (8e-5), 1, 1e-3);
+  const ShapePtr hole = make_difference(make_box({0, 0, 0}, {0.1, 0.1, 0.1}), {make_superellipsoid({0.08, 0.09, 0.07}, 20, 20)});
+  EXPECT_NEAR(hole->volume() / (8e-3 - make_superellipsoid({0.08, 0.09, 0.07}, 20, 20)->volume()), 1, 1e-3);
+}
+
+TEST(SampledVolume, OfNothingIsZeroAndOfAFloorInfinite) {
+  EXPECT_EQ(make_half_space({0, 0, 0}, {0, 0, 1})->volume(), k_infinity);
+  for (const double apart : {0.2, 0.3})  // touching, and not
+    EXPECT_EQ(make_intersection({make_sphere({0, 0, 0}, 0.1), make_sphere({0, 0, apart}, 0.1)})->volume(), 0) << apart;
+  EXPECT_EQ(make_difference(make_sphere({0, 0, 0}, 0.1), {make_sphere({0, 0, 0}, 0.2)})->volume(), 0);
+}
+
+TEST(SampledVolume, IsNoMoreExactThanIsAsked) {
+  const ShapePtr cap = make_intersection({make_sphere({0, 0, 0}, 0.1), make_half_space({0, 0, 0.09}, {0, 0, -1})});
+  const double volume = std::numbers::pi * 0.01 * 0.01 * (0.3 - 0.01) / 3;
+  EXPECT_NEAR(cap->volume() / volume, 1, 1e-3);
+  EXPECT_NEAR(sampled_volume(*cap, 1), volume, 4e-4);
+  EXPECT_GT(std::abs(sampled_volume(*cap, 1) / volume - 1), 1e-3);
 }
 
 TEST(FillPoisson, CountsTheVolumeOfEveryShape) {

@@ -3,8 +3,6 @@
 
 #include <numbers>
 
-#include "solver/boundary/fill.h"
-
 namespace bake {
 
 std::vector<Sample> exact_shapes() {
@@ -35,10 +33,6 @@ std::vector<Sample> exact_shapes() {
        pi / 3 * 0.1 * (0.09 * 0.09 + 0.09 * 0.04 + 0.04 * 0.04)},
       {"cone", make_cone({0, 0, -0.05}, {0, 0, 0.07}, 0.1, 0), {0, 0, 0.06}, {0.06, 0, 0.03}, pi / 3 * 0.12 * 0.1 * 0.1},
   };
-}
-
-double midpoint_volume(const Shape& shape, double spacing) {
-  return static_cast<double>(fill_lattice(shape, spacing, 0, 0).size()) * spacing * spacing * spacing;
 }
 
 }  // namespace bake

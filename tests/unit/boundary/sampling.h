@@ -65,7 +65,4 @@ struct Sample {
 /// Finite shapes with an exact distance, all within about 0.2 m of the origin.
 std::vector<Sample> exact_shapes();
 
-/// Volume by counting midpoints of cubes.
-double midpoint_volume(const Shape& shape, double spacing);
-
 }  // namespace bake
