@@ -9,18 +9,6 @@
 namespace bake::test {
 namespace {
 
-/// Wrong use is told in one line on stderr that says what is wrong, and nothing else happens.
-void expect_refused(const Workplace& place, const std::string& arguments, const std::string& reason) {
-  SCOPED_TRACE("bake " + arguments);
-  const Outcome outcome = place.bake(arguments);
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.err.rfind("bake: ", 0), 0u) << outcome.err;
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-  EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
-  EXPECT_FALSE(std::filesystem::exists(place.folder() / "results"));
-}
-
 void expect_success(const Workplace& place, const std::string& arguments, const std::string& said) {
   SCOPED_TRACE("bake " + arguments);
   const Outcome outcome = place.bake(arguments);
