@@ -94,11 +94,6 @@ TEST(Run, AMissingOrBrokenParticlesFileIsRefused) {
   expect_refused(place, body, "grains.h5");
 }
 
-TEST(Run, ASceneWhoseEffectsHaveNoModelSaysWhichOnesThereAre) {
-  const Workplace place;
-  expect_refused(place, "run dough --set 'effects=[\"motion\"]'", "motion+elasticity");
-}
-
 TEST(Run, AnEmptySceneEndsAtOnce) {
   const Workplace place;
   place.write("empty.toml", R"(effects = ["motion", "elasticity"]
