@@ -94,6 +94,8 @@ TEST(CommandLine, WrongScenesAreRefusedWithFileAndLine) {
 TEST(CommandLine, UnknownKeysAreNotExplained) {
   const Workplace place;
   expect_refused(place, "explain run.ends_s", "run.end_s");
+  expect_refused(place, "explain heat_contents_J", "did you mean 'heat_content_J'?");
+  expect_refused(place, "explain plastic_volume", "did you mean 'plastic_volume_ratio'?");
 }
 
 TEST(CommandLine, KeysAndColumnsOfOneNameAreBothExplained) {
@@ -101,6 +103,7 @@ TEST(CommandLine, KeysAndColumnsOfOneNameAreBothExplained) {
   expect_success(place, "explain heat_content_J", "a column of ledger.csv");
   expect_success(place, "explain saturation", "a column of frames");
   expect_success(place, "explain saturation", "body.saturation");
+  expect_success(place, "explain twist_x_kg_m2_per_s", "angular_impulse_x_kg_m2_per_s, a column of ledger.csv");
 }
 
 TEST(CommandLine, ScenesAreFoundByNameFromAnyFolderBelow) {

@@ -68,11 +68,11 @@ TEST(Explain, NothingGivesAnOverviewOfAllTables) {
 
 TEST(Explain, UnknownNamesComeWithTheNearestOne) {
   EXPECT_EQ(refusal("oven.temprature_C"),
-            "no scene key, table, effect or shape is called 'oven.temprature_C', did you mean 'oven.temperature_C'?");
-  EXPECT_EQ(refusal("haet"), "no scene key, table, effect or shape is called 'haet', did you mean 'heat'?");
-  EXPECT_EQ(refusal("density"), "no scene key, table, effect or shape is called 'density', did you mean 'density_kg_per_m3'?");
+            "no scene key, table, effect, shape or column is called 'oven.temprature_C', did you mean 'oven.temperature_C'?");
+  EXPECT_EQ(refusal("haet"), "no scene key, table, effect, shape or column is called 'haet', did you mean 'heat'?");
+  EXPECT_EQ(refusal("density"), "no scene key, table, effect, shape or column is called 'density', did you mean 'density_kg_per_m3'?");
   EXPECT_EQ(refusal("qqqqqqqqqqqqqqqqqqq"),
-            "no scene key, table, effect or shape is called 'qqqqqqqqqqqqqqqqqqq', allowed: those of `bake explain`");
+            "no scene key, table, effect, shape or column is called 'qqqqqqqqqqqqqqqqqqq', allowed: those of `bake explain`");
 }
 
 TEST(DocumentationPage, HoldsEveryKey) {
