@@ -68,7 +68,7 @@ std::string expect_refused(const Workplace& place, const std::string& arguments,
   const bool had_results = fs::exists(place.folder() / "results");
   const Outcome outcome = place.bake(arguments, before);
   EXPECT_EQ(outcome.exit_code, exit_code);
-  if (exit_code == 2) EXPECT_EQ(fs::exists(place.folder() / "results"), had_results);
+  EXPECT_TRUE(exit_code != 2 || fs::exists(place.folder() / "results") == had_results);
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.err.rfind(place.program_name() + ": ", 0), 0u) << outcome.err;
   EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
