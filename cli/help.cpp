@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "solver/core/errors.h"
+#include "solver/io/ledger_file.h"
 #include "solver/io/provenance.h"
 #include "solver/run/ledger.h"
 #include "solver/scene/explain.h"
@@ -25,11 +26,13 @@ std::string version_line() {
 
 namespace {
 
-/// Scene keys and columns of results may have the same name: then both are told of.
+/// Scene keys and columns of results may have the same name: then both are told of. Columns are known by their former names, too.
 std::string explain_key_or_column(const std::string& name) {
-  std::string column = name.empty() ? "" : explain_column(name);
+  std::string column = name.empty() ? "" : explain_column(present_column(name));
+  std::vector<std::string> columns = ledger_columns();
+  for (const FrameColumnWords& c : frame_columns()) columns.push_back(c.name);
   try {
-    return explain(name) + (column.empty() ? "" : "\n" + column);
+    return explain(name, columns) + (column.empty() ? "" : "\n" + column);
   } catch (const InputError&) {
     if (column.empty()) throw;
     return column;

@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <stdexcept>
 
+#include "analysis/machines/stopwatch.h"
 #include "experiments/common/study_scene.h"
 #include "reference/compare/recipe_of.h"
 #include "solver/core/errors.h"
 #include "solver/effects/all_effects.h"
-#include "solver/io/progress.h"
 #include "solver/run/fill_scene.h"
 #include "solver/run/ledger.h"
 
@@ -20,19 +19,12 @@ namespace bake::studies::accuracy {
 
 namespace {
 
-/// Processor time of this program [s].
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 template <class Work>
 void timed(Found& found, Work work) {
-  const double wall = steady_seconds(), cpu = processor_seconds();
+  const bench::Stopwatch watch;
   work();
-  found.wall_s += steady_seconds() - wall;
-  found.cpu_s += processor_seconds() - cpu;
+  found.wall_s += watch.wall_s();
+  found.cpu_s += watch.cpu_s();
 }
 
 void count_steps(const Simulation& simulation, Found& found) {

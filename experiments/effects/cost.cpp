@@ -4,26 +4,19 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <memory>
 #include <stdexcept>
 
 #include "analysis/machines/scenes.h"
 #include "analysis/machines/statistics.h"
+#include "analysis/machines/stopwatch.h"
 #include "experiments/effects/effects.h"
 #include "solver/engine/engine.h"
-#include "solver/io/progress.h"
 #include "solver/run/simulation.h"
 #include "solver/scene/scene.h"
 
 namespace bake::studies {
 namespace {
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 void take_steps(Simulation& simulation, int steps) {
   constexpr double never = 1e6;  // [s]: no step is one that samples
@@ -60,11 +53,11 @@ Cost describe(const bench::Combination& combination, const Running& running) {
 
 void time_once(Simulation& simulation, int steps, Cost& cost) {
   const auto before = simulation.counters().particle_steps;
-  const double wall = steady_seconds(), cpu = cpu_seconds();
+  const bench::Stopwatch watch;
   take_steps(simulation, steps);
   const auto done = static_cast<double>(simulation.counters().particle_steps - before);
-  cost.cpu_ns.push_back(1e9 * (cpu_seconds() - cpu) / done);
-  cost.wall_ns.push_back(1e9 * (steady_seconds() - wall) / done);
+  cost.cpu_ns.push_back(1e9 * watch.cpu_s() / done);
+  cost.wall_ns.push_back(1e9 * watch.wall_s() / done);
 }
 
 const Cost& cost_of(const std::vector<Cost>& costs, const std::string& name) {

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <stdexcept>
 
 #include "analysis/machines/scenes.h"
+#include "analysis/machines/stopwatch.h"
 #include "experiments/effects/effects.h"
 #include "solver/effects/all_effects.h"
 #include "solver/run/ledger.h"
@@ -21,8 +21,6 @@ namespace {
 constexpr const char* k_scenes[] = {"fig15_bread/bread", "fig03_cookies/cookie", "teaching/drying_cube"};
 
 constexpr double k_round_off = 1e-6;  ///< of single precision: no yardstick is shorter
-
-double process_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 double ledger_number(const Simulation& simulation, const char* column) {
   const auto names = ledger_columns();
@@ -58,13 +56,14 @@ Outcome run(const std::string& file, const std::vector<std::string>& left_out, d
   scene.grid.dx_m *= coarsening;
   std::erase_if(scene.effects, [&](const std::string& e) { return std::find(left_out.begin(), left_out.end(), e) != left_out.end(); });
   Outcome outcome{std::filesystem::path(file).filename().string(), left_out, combination_of(scene), scene.dx(), {}, 0, 0};
-  const double began = process_seconds(), end = end_share * scene.run.end_s;
+  const bench::Stopwatch watch;
+  const double end = end_share * scene.run.end_s;
   const auto simulation = Simulation::begin(scene);
   const double volume = ledger_number(*simulation, "volume_m3"), water = ledger_number(*simulation, "water_mass_kg");
   simulation->advance(end, end);
   outcome.quantities = quantities_of(*simulation, scene, volume, water);
   outcome.particle_steps = static_cast<double>(simulation->counters().particle_steps);
-  outcome.cpu_s = process_seconds() - began;
+  outcome.cpu_s = watch.cpu_s();
   fmt::print(stderr, "{} at dx {:.4g} m{}{}: {:.1f} s\n", outcome.scene, outcome.dx_m, left_out.empty() ? "" : " without ",
              fmt::join(left_out, ", "), outcome.cpu_s);
   return outcome;

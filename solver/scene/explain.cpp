@@ -75,7 +75,8 @@ std::vector<std::string> readings(std::string_view key) {
   return names;
 }
 
-[[noreturn]] void complain_unknown(const std::vector<CatalogueSection>& sections, std::string_view name) {
+[[noreturn]] void complain_unknown(const std::vector<CatalogueSection>& sections, std::string_view name,
+                                   const std::vector<std::string>& columns) {
   const bool full = name.find('.') != std::string_view::npos;
   std::vector<std::string> known;
   FormerNames former;
@@ -87,8 +88,9 @@ std::vector<std::string> readings(std::string_view key) {
       if (!key.former.empty()) former.emplace(called(key.former), called(key.key));
     }
   }
+  known.insert(known.end(), columns.begin(), columns.end());
   const std::string guess = nearest(name, known, former);
-  throw InputError(fmt::format("no scene key, table, effect or shape is called '{}', {}", quotable(name),
+  throw InputError(fmt::format("no scene key, table, effect, shape or column is called '{}', {}", quotable(name),
                                guess.empty() ? "allowed: those of `bake explain`" : fmt::format("did you mean '{}'?", guess)));
 }
 
@@ -128,14 +130,14 @@ before the first and after the last.
 
 }  // namespace
 
-std::string explain(std::string_view key) {
+std::string explain(std::string_view key, const std::vector<std::string>& columns) {
   const std::vector<CatalogueSection> sections = catalogue();
   if (key.empty()) return overview(sections);
   for (const std::string& name : readings(key)) {
     std::string text = explain_all(sections, name);
     if (!text.empty()) return text;
   }
-  complain_unknown(sections, key);
+  complain_unknown(sections, key, columns);
 }
 
 std::string documentation_page() {

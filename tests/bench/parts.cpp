@@ -6,6 +6,7 @@
 #include <random>
 
 #include "analysis/machines/scenes.h"
+#include "analysis/machines/stopwatch.h"
 #include "solver/core/symmetric.h"
 #include "solver/effects/plasticity.h"
 #include "solver/engine/engine.h"
@@ -13,7 +14,6 @@
 #include "solver/run/fill_scene.h"
 #include "tests/bench/flops.h"
 #include "tests/bench/steps.h"
-#include "tests/bench/stopwatch.h"
 
 namespace bake::bench {
 

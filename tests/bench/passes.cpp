@@ -12,12 +12,12 @@
 #include <algorithm>
 
 #include "analysis/machines/scenes.h"
+#include "analysis/machines/stopwatch.h"
 #include "solver/engine/engine.h"
 #include "solver/grid/sort_particles.h"
 #include "solver/run/fill_scene.h"
 #include "tests/bench/flops.h"
 #include "tests/bench/steps.h"
-#include "tests/bench/stopwatch.h"
 
 namespace bake::bench {
 

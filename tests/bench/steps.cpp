@@ -10,12 +10,12 @@
 #include <memory>
 
 #include "analysis/machines/scenes.h"
+#include "analysis/machines/stopwatch.h"
 #include "solver/engine/engine.h"
 #include "solver/run/simulation.h"
 #include "solver/scene/describe.h"
 #include "tests/bench/flops.h"
 #include "tests/bench/flowing.h"
-#include "tests/bench/stopwatch.h"
 
 namespace bake::bench {
 

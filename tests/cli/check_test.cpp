@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "tests/cli/program.h"
 
 namespace bake::test {
@@ -27,13 +25,6 @@ kind = "analytic"
 why = "it is hardly pressed"
 {})",
                                                                    bound, more));
-  }
-  void expect_refused(const std::string& arguments, const std::string& reason, const std::string& before = "") const {
-    SCOPED_TRACE("bake " + arguments);
-    const Outcome outcome = place.bake(arguments, before);
-    EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
   }
   const Workplace place;
 };
@@ -65,21 +56,21 @@ TEST_F(ACheck, LeavesOutWhatIsClaimedOfAnotherQuality) {
 }
 
 TEST_F(ACheck, OfNothingThatIsKnownIsRefused) {
-  expect_refused("check braed", "unknown name 'braed'; did you mean 'bread'?");
-  expect_refused("check missing.toml", "missing.toml: no such file");
+  expect_refused(place, "check braed", "unknown name 'braed'; did you mean 'bread'?");
+  expect_refused(place, "check missing.toml", "missing.toml: no such file");
   write_claim("at_most = true");
-  expect_refused(fmt::format("check {}", k_file), "claims.toml:9: claim.0.at_most: found true, allowed: any finite number");
+  expect_refused(place, fmt::format("check {}", k_file), "claims.toml:9: claim.0.at_most: found true, allowed: any finite number");
   write_claim("at_most = 2", "[[run]]\nname = \"more\"\nscene = \"dough\"\n");
-  expect_refused(fmt::format("check {}", k_file), "allowed: one [[run]] without a mesh");
+  expect_refused(place, fmt::format("check {}", k_file), "allowed: one [[run]] without a mesh");
   ASSERT_EQ(place.bake("run dough --quiet --out run").exit_code, 0);
-  expect_refused("check run", "of which nothing is claimed");
+  expect_refused(place, "check run", "of which nothing is claimed");
 }
 
 TEST_F(ACheck, IsBlessedWithAReasonAndByPeopleOnly) {
   write_claim("at_most = 2");
-  expect_refused(fmt::format("bless {} --why ' '", k_file), "--why: found nothing", "env -u CI");
-  expect_refused(fmt::format("bless {} --why because", k_file), "found CI in the environment", "env CI=1");
-  expect_refused(fmt::format("bless {}", k_file), "--why is required", "env -u CI");
+  expect_refused(place, fmt::format("bless {} --why ' '", k_file), "--why: found nothing", "env -u CI");
+  expect_refused(place, fmt::format("bless {} --why because", k_file), "found CI in the environment", "env CI=1");
+  expect_refused(place, fmt::format("bless {}", k_file), "--why is required", "env -u CI");
 }
 
 }  // namespace

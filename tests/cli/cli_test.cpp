@@ -9,18 +9,6 @@
 namespace bake::test {
 namespace {
 
-/// Wrong use is told in one line on stderr that says what is wrong, and nothing else happens.
-void expect_refused(const Workplace& place, const std::string& arguments, const std::string& reason) {
-  SCOPED_TRACE("bake " + arguments);
-  const Outcome outcome = place.bake(arguments);
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(outcome.err.rfind("bake: ", 0), 0u) << outcome.err;
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-  EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
-  EXPECT_FALSE(std::filesystem::exists(place.folder() / "results"));
-}
-
 void expect_success(const Workplace& place, const std::string& arguments, const std::string& said) {
   SCOPED_TRACE("bake " + arguments);
   const Outcome outcome = place.bake(arguments);
@@ -106,6 +94,8 @@ TEST(CommandLine, WrongScenesAreRefusedWithFileAndLine) {
 TEST(CommandLine, UnknownKeysAreNotExplained) {
   const Workplace place;
   expect_refused(place, "explain run.ends_s", "run.end_s");
+  expect_refused(place, "explain heat_contents_J", "did you mean 'heat_content_J'?");
+  expect_refused(place, "explain plastic_volume", "did you mean 'plastic_volume_ratio'?");
 }
 
 TEST(CommandLine, KeysAndColumnsOfOneNameAreBothExplained) {
@@ -113,6 +103,7 @@ TEST(CommandLine, KeysAndColumnsOfOneNameAreBothExplained) {
   expect_success(place, "explain heat_content_J", "a column of ledger.csv");
   expect_success(place, "explain saturation", "a column of frames");
   expect_success(place, "explain saturation", "body.saturation");
+  expect_success(place, "explain twist_x_kg_m2_per_s", "angular_impulse_x_kg_m2_per_s, a column of ledger.csv");
 }
 
 TEST(CommandLine, ScenesAreFoundByNameFromAnyFolderBelow) {

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "tests/cli/program.h"
 
 namespace bake::test {
@@ -29,16 +27,12 @@ TEST(CompareTextbook, StopsAtTheEndOfTheScene) {
 
 TEST(CompareTextbook, AGridThatWouldNotFitIsRefused) {
   const Workplace place;
-  const Outcome outcome = place.bake("compare-textbook dough --quality paper --set grid.dx_m=0.0005");
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-  EXPECT_NE(outcome.err.find("GB"), std::string::npos) << outcome.err;
+  expect_refused(place, "compare-textbook dough --quality paper --set grid.dx_m=0.0005", "GB");
 }
 
 TEST(CompareTextbook, WrongStepsAreRefused) {
   const Workplace place;
-  EXPECT_EQ(place.bake("compare-textbook dough --steps 0").exit_code, 2);
+  expect_refused(place, "compare-textbook dough --steps 0", "--steps: ");
 }
 
 /// A file as `./bake bench` writes it: five repetitions of one benchmark [ms].
@@ -80,14 +74,8 @@ TEST(Compare, WrongFilesAreRefusedAndNothingIsWritten) {
       {"a.json scene.json", "scene.json: found JSON of something else"},
       {"a.json unlimited.json", "unlimited.json: found no \"limit."},
   };
-  for (const auto& [files, reason] : mistakes) {
-    const Outcome outcome = place.bake(fmt::format("compare {} --out charts", files));
-    EXPECT_EQ(outcome.exit_code, 2) << files;
-    EXPECT_EQ(outcome.out, "");
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
-    EXPECT_FALSE(std::filesystem::exists(place.folder() / "charts"));
-  }
+  for (const auto& [files, reason] : mistakes) expect_refused(place, fmt::format("compare {} --out charts", files), reason);
+  EXPECT_FALSE(std::filesystem::exists(place.folder() / "charts"));
 }
 
 }  // namespace

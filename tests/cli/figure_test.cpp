@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/program.h"
@@ -73,13 +72,6 @@ class AFigure : public testing::Test {
     place.write(fs::path("bin") / name, "#!/bin/sh\n" + script);
     fs::permissions(place.folder() / "bin" / name, fs::perms::owner_all);
   }
-  void expect_refused(const std::string& arguments, const std::string& reason, int exit_code = 2, const std::string& before = "") const {
-    SCOPED_TRACE("bake " + arguments);
-    const Outcome outcome = place.bake(arguments, before);
-    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.out;
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
-  }
   nlohmann::json claims() const { return nlohmann::json::parse(contents(place.folder() / "results/items/dough-draft/claims.json")); }
   Workplace place;
 };
@@ -135,24 +127,24 @@ TEST_F(AFigure, RunsAnewWhatWasMadeFromAnotherScene) {
 }
 
 TEST_F(AFigure, ThatIsNotThereIsRefused) {
-  expect_refused("figure 2", "unknown figure '2'");
-  expect_refused("figure dogh", "unknown figure 'dogh'; did you mean 'dough'?");
-  expect_refused("figure", "found no figure, allowed: a number or name (bake list figures), or --all");
-  expect_refused("figure 1 --all", "--all: found an item");
-  expect_refused("figure costs", "table 1 (costs): not there yet, allowed: an item that is done");
-  expect_refused("table 1", "table 1 (costs): not there yet");
-  expect_refused("figure 1 --only-run sotf", "--only-run: unknown run 'sotf'; did you mean 'soft'?");
+  expect_refused(place, "figure 2", "unknown figure '2'");
+  expect_refused(place, "figure dogh", "unknown figure 'dogh'; did you mean 'dough'?");
+  expect_refused(place, "figure", "found no figure, allowed: a number or name (bake list figures), or --all");
+  expect_refused(place, "figure 1 --all", "--all: found an item");
+  expect_refused(place, "figure costs", "table 1 (costs): not there yet, allowed: an item that is done");
+  expect_refused(place, "table 1", "table 1 (costs): not there yet");
+  expect_refused(place, "figure 1 --only-run sotf", "--only-run: unknown run 'sotf'; did you mean 'soft'?");
   figure("", "metric = \"volume_gain\"", "metric = \"volume_gian\"");
-  expect_refused("figure 1", "figure.toml:11: claim.0.metric: unknown metric 'volume_gian'; did you mean 'volume_gain'?");
+  expect_refused(place, "figure 1", "figure.toml:11: claim.0.metric: unknown metric 'volume_gian'; did you mean 'volume_gain'?");
 }
 
 TEST_F(AFigure, NeedsTheOtherProgramsForMeshesAndPictures) {
   place.move_program_here();
   figure("mesh = true\n");
-  expect_refused("figure 1", "bake-mesh: found no such program beside bake, allowed: one built by ./bake figure");
+  expect_refused(place, "figure 1", "bake-mesh: found no such program beside bake, allowed: one built by ./bake figure");
   place.write("experiments/fig01_dough/views/side.toml", "");
   figure("[[picture]]\nname = \"side\"\nshows = \"dough\"\nview = \"side\"\nof = \"soft\"\n");
-  expect_refused("figure 1", "bake-render: found no such program beside bake");
+  expect_refused(place, "figure 1", "bake-render: found no such program beside bake");
   EXPECT_FALSE(fs::exists(place.folder() / "results")) << "not after hours of simulation";
   EXPECT_EQ(place.bake("figure 1 --no-pictures --quiet").exit_code, 0);
   EXPECT_TRUE(claims()["pictures"].empty());
@@ -162,10 +154,10 @@ TEST_F(AFigure, PassesOnWhatTheOtherProgramsSay) {
   place.move_program_here();
   place.write("experiments/fig01_dough/views/side.toml", "");
   figure("[[picture]]\nname = \"side\"\nshows = \"dough\"\nview = \"side\"\nof = [\"soft\", \"hard\"]\ntimes_s = 0.005\n");
-  program("bake-render", "echo 'bake-render: side.toml:3: camera: missing' >&2; exit 2");
-  expect_refused("figure 1 --quiet", "bake: bake-render: side.toml:3: camera: missing\n");
   program("bake-render", "echo working; kill -9 $$");
-  expect_refused("figure 1 --quiet", "bake: bake-render: exit 137: working (log: results/items/dough-draft/side.log)", 3);
+  expect_refused(place, "figure 1 --quiet", "bake: bake-render: exit 137: working (log: results/items/dough-draft/side.log)", "", 3);
+  program("bake-render", "echo 'bake-render: side.toml:3: camera: missing' >&2; exit 2");
+  expect_refused(place, "figure 1 --quiet", "bake: bake-render: side.toml:3: camera: missing\n");
   program("bake-render", "echo \"$@\" >arguments; echo png >results/items/dough-draft/side.png");
   EXPECT_EQ(place.bake("figure 1 --quiet --size 64x48 --samples 2 --threads 1").exit_code, 0);
   EXPECT_EQ(contents(place.folder() / "arguments"),
@@ -221,9 +213,9 @@ TEST_F(AFigure, DrawsColumnsOfTheLedger) {
   figure("[[chart]]\nname = \"height\"\nshows = \"height over time\"\ncolumn = \"height_m\"\nof = [\"soft\", \"hard\"]\n");
   EXPECT_EQ(place.bake("figure 1 --quiet").exit_code, 0);
   EXPECT_TRUE(fs::exists(place.folder() / "results/items/dough-draft/height.svg"));
-  expect_refused("figure 1 --quiet", "gnuplot is missing", 2, "env PATH=/nowhere");
+  expect_refused(place, "figure 1 --quiet", "gnuplot is missing", "env PATH=/nowhere");
   figure("[[chart]]\nname = \"height\"\nshows = \"height over time\"\ncolumn = \"hight_m\"\nof = \"soft\"\n");
-  expect_refused("figure 1 --quiet", "ledger.csv: found no column hight_m");
+  expect_refused(place, "figure 1 --quiet", "ledger.csv: found no column hight_m");
 }
 
 TEST_F(AFigure, IsListedWithItsStatusAndItsRuns) {

@@ -2,8 +2,10 @@
 #include "tests/cli/program.h"
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -58,6 +60,20 @@ Outcome Workplace::bake(const std::string& arguments, const std::string& before)
   const std::string command = fmt::format("cd '{}' && ({} '{}' {}) >.out 2>.err", folder().string(), before, program_.string(), arguments);
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder() / ".out"), contents(folder() / ".err")};
+}
+
+std::string expect_refused(const Workplace& place, const std::string& arguments, const std::string& reason, const std::string& before,
+                           int exit_code) {
+  SCOPED_TRACE(fmt::format("{} {}", place.program_name(), arguments));
+  const bool had_results = fs::exists(place.folder() / "results");
+  const Outcome outcome = place.bake(arguments, before);
+  EXPECT_EQ(outcome.exit_code, exit_code);
+  EXPECT_TRUE(exit_code != 2 || fs::exists(place.folder() / "results") == had_results);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err.rfind(place.program_name() + ": ", 0), 0u) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
+  return outcome.err;
 }
 
 }  // namespace bake::test

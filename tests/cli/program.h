@@ -29,10 +29,15 @@ class Workplace {
   void move_program_here();
   /// From now on this program is called.
   void use_program(const std::filesystem::path& program) { program_ = program; }
+  std::string program_name() const { return program_.filename().string(); }
 
  private:
   std::filesystem::path program_ = BAKE_PROGRAM;
   TemporaryFolder folder_;
 };
+
+/// What fails is told in one line on stderr, which says why, and in nothing else. Wrong use (2) leaves no results. Returns the line.
+std::string expect_refused(const Workplace& place, const std::string& arguments, const std::string& reason, const std::string& before = "",
+                           int exit_code = 2);
 
 }  // namespace bake::test

@@ -96,15 +96,13 @@ TEST_F(AReport, LoadsNothingFromAnywhere) {
 
 TEST_F(AReport, RefusesDamagedClaimsAndPlacesThatCannotBeWritten) {
   place.write("results/items/dough-draft/claims.json", "{\"claims\": ");
-  EXPECT_EQ(place.bake("report").exit_code, 2);
+  expect_refused(place, "report", "claims.json: ");
   place.write("results/items/dough-draft/claims.json", "{\"claims\": []}");
-  const Outcome outcome = place.bake("report");
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("claims.json: not what bake figure writes"), std::string::npos) << outcome.err;
+  expect_refused(place, "report", "claims.json: not what bake figure writes");
   EXPECT_FALSE(fs::exists(place.folder() / "report.html"));
   fs::remove_all(place.folder() / "results");
-  EXPECT_EQ(place.bake("report --out no/such/folder/report.html").exit_code, 2);
-  EXPECT_EQ(place.bake("report --quality drfat").exit_code, 2);
+  expect_refused(place, "report --out no/such/folder/report.html", "no/such/folder");
+  expect_refused(place, "report --quality drfat", "--quality: drfat not in");
 }
 
 }  // namespace

@@ -37,11 +37,6 @@ Chart a_chart() {
   return chart;
 }
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 bool gnuplot_is_there() { return std::system("command -v gnuplot >/dev/null") == 0; }
 
 TEST(ChartText, EscapesWhatGnuplotWouldTakeForMarkup) {
@@ -141,13 +136,13 @@ class AWrittenChart : public testing::Test {
 TEST_F(AWrittenChart, HasItsThreeFiles) {
   if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
   write_chart(a_chart(), folder_.path() / "new" / "folder");
-  const std::string svg = text_of(folder_.path() / "new/folder/sample.svg");
+  const std::string svg = contents(folder_.path() / "new/folder/sample.svg");
   EXPECT_NE(svg.find("<title>A sample, with \"quotes\" &amp; &lt;brackets&gt;</title>"), std::string::npos);
   EXPECT_NE(svg.find("prefers-color-scheme: dark"), std::string::npos);
   EXPECT_NE(svg.find("first_panel"), std::string::npos) << "an underscore stays one";
   EXPECT_NE(svg.rfind("</svg>"), std::string::npos) << "whole";
-  EXPECT_EQ(text_of(folder_.path() / "new/folder/sample.pdf").substr(0, 5), "%PDF-");
-  EXPECT_EQ(text_of(folder_.path() / "new/folder/sample.csv"), csv_of(a_chart()));
+  EXPECT_EQ(contents(folder_.path() / "new/folder/sample.pdf").substr(0, 5), "%PDF-");
+  EXPECT_EQ(contents(folder_.path() / "new/folder/sample.csv"), csv_of(a_chart()));
   std::size_t files = 0;
   for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_.path() / "new/folder")) ++files;
   EXPECT_EQ(files, 3u) << "nothing else is left";

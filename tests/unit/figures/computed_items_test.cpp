@@ -64,8 +64,7 @@ class TableTwo : public testing::Test {
   }
   fs::path root() const { return folder_.path(); }
   void replace(const char* file, std::string_view part, std::string_view other) const {
-    std::ifstream in(root() / file);
-    std::string text{std::istreambuf_iterator<char>(in), {}};
+    std::string text = contents(root() / file);
     ASSERT_NE(text.find(part), std::string::npos) << part;
     text.replace(text.find(part), part.size(), other);
     std::ofstream(root() / file) << text;

@@ -1,30 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 #include "solver/run/ledger.h"
 #include "solver/run/simulation.h"
 #include "tests/conservation/dough.h"
+#include "tests/support/page.h"
 
 namespace bake {
 namespace {
-
-std::string contents(const std::string& file) {
-  std::ifstream in(file);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-void expect_page(const std::string& name, const std::string& page) {
-  const std::string file = std::string(BAKE_SOURCE_DIR) + "/docs/" + name;
-  if (std::getenv("BAKE_WRITE_DOCS")) std::ofstream(file) << page;
-  EXPECT_EQ(contents(file), page) << "the first line of " << file << " says how it is written anew";
-}
 
 TEST(Pages, SayWhatEveryColumnIs) { expect_page("columns.md", columns_page()); }
 TEST(Pages, SayWhatEverySymbolIs) { expect_page("notation.md", notation_page()); }

@@ -96,37 +96,18 @@ TEST(SceneReader, NoEffectIsCalledLikeATable) {
   EXPECT_EQ(std::adjacent_find(names.begin(), names.end()), names.end());
 }
 
-/// A folder that is gone after the test.
-class SceneFile : public ::testing::Test {
- protected:
-  SceneFile() { std::filesystem::create_directories(folder_); }
-  ~SceneFile() override { std::filesystem::remove_all(folder_); }
-
-  std::string error_of_file(const std::filesystem::path& file) {
-    try {
-      read_scene(file);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return {};
-  }
-
-  const std::filesystem::path folder_ =
-      ::testing::TempDir() + "bake_scene_file_" + ::testing::UnitTest::GetInstance()->current_test_info()->name();
-};
-
-TEST_F(SceneFile, IsReadFromDisk) {
-  std::ofstream(folder_ / "bread.toml") << k_full;
-  const Scene scene = read_scene(folder_ / "bread.toml");
-  EXPECT_EQ(scene.bodies[1].particles_file, folder_ / "chips/all.h5");
+TEST(SceneFile, IsReadFromDisk) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "bread.toml") << k_full;
+  const Scene scene = read_scene(folder / "bread.toml");
+  EXPECT_EQ(scene.bodies[1].particles_file, folder / "chips/all.h5");
 }
 
-TEST_F(SceneFile, ThatIsNotThereIsRefused) {
-  EXPECT_EQ(error_of_file(folder_ / "cake.toml"), (folder_ / "cake.toml").string() + ": no such file");
-}
-
-TEST_F(SceneFile, ThatIsAFolderIsRefused) {
-  EXPECT_EQ(error_of_file(folder_), folder_.string() + ": found a folder, allowed: a TOML file");
+TEST(SceneFile, ThatIsMissingOrAFolderIsRefused) {
+  const TemporaryFolder folder;
+  const std::filesystem::path missing = folder / "cake.toml";
+  EXPECT_EQ(message_of<InputError>([&] { read_scene(missing); }), missing.string() + ": no such file");
+  EXPECT_EQ(message_of<InputError>([&] { read_scene(folder.path()); }), folder.path().string() + ": found a folder, allowed: a TOML file");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "solver/scene/reader.h"
+#include "tests/support/temporary_folder.h"
 
 namespace bake::test {
 
@@ -89,17 +90,12 @@ inline Scene parse(const std::string& text, const std::vector<std::string>& over
   return parse_scene(text, "bread.toml", ReadOptions{Quality::paper, overrides});
 }
 
-/// The message with which the scene is refused, one line; empty (and a failed test) if it is accepted.
+/// The message with which the scene is refused, one line.
 inline std::string error_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
-  try {
-    parse(text, overrides);
-  } catch (const InputError& error) {
-    const std::string message = error.what();
-    EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 0) << message;
-    return message;
-  }
-  ADD_FAILURE() << "accepted:\n" << text;
-  return {};
+  const std::string message = message_of<InputError>([&] { parse(text, overrides); });
+  EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 0) << message;
+  EXPECT_NE(message, "nothing was thrown") << text;
+  return message;
 }
 
 /// `text` with the first `from` replaced by `to`.

@@ -47,16 +47,11 @@ class Machines : public testing::Test {
   }
   BenchFile read(const std::string& name, const Bench& bench) { return read_bench_file(write(name, bench.text())); }
   std::string refusal(const std::string& text) {
-    try {
-      read_bench_file(write("bad.json", text));
-    } catch (const InputError& error) {
-      const std::string message = error.what();
-      EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-      EXPECT_EQ(message.rfind((folder_.path() / "bad.json").string() + ": found ", 0), 0u) << message;
-      EXPECT_NE(message.find(", allowed: "), std::string::npos) << message;
-      return message;
-    }
-    return "accepted";
+    const std::string message = message_of<InputError>([&] { read_bench_file(write("bad.json", text)); });
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+    EXPECT_EQ(message.rfind((folder_.path() / "bad.json").string() + ": found ", 0), 0u) << message;
+    EXPECT_NE(message.find(", allowed: "), std::string::npos) << message;
+    return message;
   }
   TemporaryFolder folder_;
 };
