@@ -95,7 +95,7 @@ class Staged final : public Running {
   }
   std::vector<double> ledger_row() const override {
     const double volume = sum([](const textbook::Particle& p) { return p.V(); });
-    const double water = sum([](const textbook::Particle& p) { return p.m_w; });
+    const double water = sum([](const textbook::Particle& p) { return p.m_w - p.m_w_lent; });
     return {chooser_->time(),
             volume,
             water,

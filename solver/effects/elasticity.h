@@ -9,7 +9,7 @@
 namespace bake {
 
 namespace total {
-BAKE_FIELD(elastic, Elastic, 1, "elastic", "J", "elastic energy of the solid");
+BAKE_FIELD(elastic, Elastic, 1, "elastic", "J", "energy of the solid's stress, that of expansion included");
 }  // namespace total
 
 struct Elasticity : Effect {
@@ -83,6 +83,8 @@ struct Elasticity : Effect {
     using V = typename P::V;
     Symmetric<V> e;
     for (int i = 0; i < 6; ++i) e.at[i] = p[field::epsilon][i];
+    if constexpr (P::template has<field::ThermalStrain>)
+      for (int i = 0; i < 3; ++i) e.at[i] -= typename P::Real(1. / 3) * p[field::thermal_strain];
     const V tr = trace(e);
     report.add(total::elastic, p[field::V_0] * (typename P::Real(0.5) * k.lambda * tr * tr + k.mu * norm_squared(e)));
   }

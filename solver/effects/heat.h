@@ -177,9 +177,13 @@ struct Heat : Effect {
     p[field::theta_lent] =
         evened_out(k.kappa * p.volume() / capacity(p, k), k.subgrid, step) * (from.value(channel::temperature) - p[field::theta]);
     p[field::theta] += p[field::theta_lent];
-    p[field::thermal_strain] = k.published_expansion ? 0 * p[field::theta] : k.expansion * (p[field::theta] - k.theta_0);
+    find_thermal_strain(p, k);
     p[field::theta_peak] = max(p[field::theta_peak], p[field::theta]);
     for (int d = 0; d < 3; ++d) p[field::grad_theta][d] = from.gradient(channel::temperature, 0, d);
+  }
+
+  BAKE_INLINE static void find_thermal_strain(auto& p, const auto& k) {
+    p[field::thermal_strain] = k.published_expansion ? 0 * p[field::theta] : k.expansion * (p[field::theta] - k.theta_0);
   }
 
   /// - beta_T (theta - theta_0) I, from the energy -beta_T (theta - theta_0) ln J.
@@ -187,6 +191,7 @@ struct Heat : Effect {
   /// of J in stress and heat the energy does not close.
   BAKE_INLINE static void stress(auto& p, const auto& k) {
     if constexpr (std::decay_t<decltype(p)>::template has<field::KirchhoffStress>) {
+      find_thermal_strain(p, k);
       const auto pressure =
           k.published_expansion ? k.beta_T * p[field::J] * p[field::J] * p[field::theta] : k.beta_T * (p[field::theta] - k.theta_0);
       for (int i = 0; i < 3; ++i) p[field::tau][i] -= pressure;
@@ -274,12 +279,12 @@ struct Heat : Effect {
   static void totals(auto& p, const auto& k, const auto&, auto& report) {
     using P = std::decay_t<decltype(p)>;
     report.add(total::heat_content, capacity(p, k) * p[field::theta] - lent_heat(p, k));
-    if constexpr (P::template has<field::HenckyStrain>) {  // K/2 (tr eps - thermal strain)^2 instead of K/2 (tr eps)^2
+    if constexpr (P::template has<field::HenckyStrain>) {
       const auto& e = p[field::epsilon];
-      const auto tr = e[0] + e[1] + e[2], warmth = k.published_expansion ? 0 * tr : p[field::theta] - k.theta_0;
-      const auto beta_T = p[field::V_0] * k.beta_T, unstrained = typename P::Real(0.5) * k.expansion * warmth * warmth;
-      report.add(total::elastic, beta_T * (unstrained - warmth * tr));
-      report.add(total::thermoelastic, beta_T * ((p[field::theta] + typename P::Real(273.15)) * tr - unstrained));
+      const auto elastic_tr = e[0] + e[1] + e[2], free = p[field::thermal_strain];
+      const auto theta = p[field::theta] + typename P::Real(273.15);
+      report.add(total::thermoelastic,
+                 p[field::V_0] * k.beta_T * (theta * elastic_tr - typename P::Real(0.5) * free * (p[field::theta] - k.theta_0)));
     }
     report.add(total::temperature, p.volume() * p[field::theta]);
     report.highest(highest::coldness, -p[field::theta]);

@@ -235,7 +235,7 @@ struct Plasticity : Effect {
     for (int i = 0; i < 6; ++i) d.at[i] = i < 3 ? e[i] - mean : e[i];
     V free = 0 * tr;  // of stress
     if constexpr (P::template has<field::ThermalStrain>) free = p[field::thermal_strain];
-    const V p_tr = -k.bulk * (tr - free), shear2 = norm_squared(d), q2 = (6 * k.mu * k.mu) * shear2;
+    const V stressed = tr - free, p_tr = -k.bulk * stressed, shear2 = norm_squared(d), q2 = (6 * k.mu * k.mu) * shear2;
     V tau_y, eta;
     curves<V>(p.temperature(), p.peak_temperature(), k, tau_y, eta);
     const V n = porosity<V>(p[field::J_P], k);
@@ -247,9 +247,9 @@ struct Plasticity : Effect {
 
     const V z = solve<V>(ap2, q2, a * k.bulk, 3 * k.mu, tau_y, eta * (1 / step.dt), flowing, k.quadratic);
     const auto [pa, qa] = shrunk(a * k.bulk, 3 * k.mu, z);
-    const V tr_new = free + (tr - free) * pa;
-    if (step.dt > 0) p[field::plastic_dilation] = flowing ? (tr - tr_new) * (1 / step.dt) : 0 * tr;
-    p[field::J_P] = flowing ? p[field::J_P] * exp(tr - tr_new) : p[field::J_P];
+    const V tr_new = free + stressed * pa, flown = stressed * (1 - pa);
+    if (step.dt > 0) p[field::plastic_dilation] = flowing ? flown * (1 / step.dt) : 0 * tr;
+    p[field::J_P] = flowing ? p[field::J_P] * exp(flown) : p[field::J_P];
     Symmetric<V> mapped;
     for (int i = 0; i < 6; ++i) mapped.at[i] = d.at[i] * qa + (i < 3 ? tr_new * Real(1. / 3) : 0 * tr);
     const auto b = expm1_twice<Real>(mapped);
@@ -258,7 +258,7 @@ struct Plasticity : Effect {
       p[field::b_E][i] = flowing ? b.at[i] : p[field::b_E][i];
     }
     // tau_new : (eps_tr - eps_new), never negative
-    report.book(booked::dissipated, p[field::V_0] * (k.bulk * (tr_new - free) * (tr - tr_new) + 2 * k.mu * qa * (1 - qa) * shear2));
+    report.book(booked::dissipated, p[field::V_0] * (k.bulk * stressed * pa * flown + 2 * k.mu * qa * (1 - qa) * shear2));
   }
 
   static void show(auto& frame) {

@@ -258,10 +258,10 @@ struct Water : Effect {
   static std::string idle(const auto& here) {
     const bool acts = here.any(here.materials, [](const auto* m) {
       const auto& own = m->effects.template get<Material>();
-      return own.diffusivity_m2_per_sK > 0 || own.evaporation_kg_per_m2sK > 0 || own.pressure_Pa > 0;
+      return own.diffusivity_m2_per_sK > 0 || own.pressure_Pa > 0;
     });
     return acts ? ""
-                : "diffusivity_m2_per_sK, evaporation_kg_per_m2sK and pressure_Pa are zero: water only counts as mass and heat capacity";
+                : "diffusivity_m2_per_sK and pressure_Pa are zero: no water comes to the surface, it only counts as mass and heat capacity";
   }
   static const char* coefficient(const Material& own) {
     if (own.diffusivity_m2_per_sK > 0) return "diffusivity_m2_per_sK";

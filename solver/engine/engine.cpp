@@ -53,13 +53,15 @@ BlockWork<Real> Engine<Real>::work(const Step<Real>& step) {
 template <class Real>
 void Engine<Real>::report_broken(const Migrant<Real>& migrant) const {
   const auto* columns = store_.tile(static_cast<std::size_t>(migrant.tile));
+  std::string names;  // one number that is none spoils others in the same step
   for (const auto& column : physics_->columns)
     for (int c = column.first; c < column.first + column.width; ++c)
-      if (c != k_identity_column && !std::isfinite(columns[c][migrant.lane]))
-        throw RunError("particle " + std::to_string(identity_of<Real>(columns, migrant.lane)) + ": " + column.name +
-                       " is not finite in step " + std::to_string(counters_.steps) + " at t = " + std::to_string(time_) +
-                       " s (dt = " + std::to_string(dt_) + " s)");
-  throw RunError("a particle's state is not finite in step " + std::to_string(counters_.steps));
+      if (c != k_identity_column && !std::isfinite(columns[c][migrant.lane])) {
+        names += (names.empty() ? "" : ", ") + column.name;
+        break;
+      }
+  throw RunError("particle " + std::to_string(identity_of<Real>(columns, migrant.lane)) + ": " + names + " not finite in step " +
+                 std::to_string(counters_.steps) + " at t = " + std::to_string(time_) + " s (dt = " + std::to_string(dt_) + " s)");
 }
 
 // ---------------------------------------------------------------- the step

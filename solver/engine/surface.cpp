@@ -204,13 +204,12 @@ bool is_constant(const Numbers<Real, count>& in) {
 }
 
 /// What smoothing took off the area of a curved surface. Smoothing with the variance sigma^2 per axis moves a level by sigma^2 (k_1 +
-/// k_2)/2 towards the centre, which leaves 1 - sigma^2/2 (k_1 + k_2)^2 of its area. sigma^2 is 1/2 of B and 1/4 of the quadratic B-spline,
-/// and acts like 0.08 more for the stencil of the gradient (by measurement). Bounded where the surface bends within a cell.
+/// k_2)/2 towards the centre, which leaves 1 - sigma^2/2 (k_1 + k_2)^2 of its area. Bounded where the surface bends within a cell.
 template <class Real>
-Real unrounded(Real r, Real bend) {
-  constexpr Real k_half_variance = Real(0.415), k_most = Real(0.5);
+Real unrounded(Real r, Real bend, double half_variance) {
+  constexpr Real k_most = Real(0.5);
   const Real K = r > 0 ? bend / r : Real(0);
-  return 1 + std::min(k_half_variance * K * K, k_most);
+  return 1 + std::min(static_cast<Real>(half_variance) * K * K, k_most);
 }
 
 template <class Nodes>
@@ -222,10 +221,11 @@ bool any_positive(const Nodes& nodes) {
 
 template <class Real>
 void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volume_channel, int conductivity_channel,
-                                       const SurfaceLayer<Real>& layer, const ActiveBlocks& active, const GridGeometry& geometry,
-                                       const Contacts& contacts) {
+                                       const SurfaceLayer<Real>& layer, double rounding, const ActiveBlocks& active,
+                                       const GridGeometry& geometry, const Contacts& contacts) {
   const std::size_t n = active.at.size();
   layer_ = layer;
+  rounding_ = rounding;
   conductivity_.resize(conductivity_channel < 0 ? 0 : n);
   for (auto* field : {&volume_, &mirrored_, &smooth_, &density_, &bend_}) field->resize(n);
   covers_.resize(n);
@@ -361,7 +361,7 @@ bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& activ
     blur(halo, Real(1), bend);
     const auto beta = static_cast<Real>(coefficient), beta_theta = static_cast<Real>(coefficient * temperature);
     for (std::size_t k = 0; k < k_block_nodes; ++k) {
-      const Real A = V[k] * r[k] * unrounded(r[k], bend[k]);
+      const Real A = V[k] * r[k] * unrounded(r[k], bend[k], rounding_);
       area[k] += A;
       const Real passes = conductivity_.empty() ? A : A * layer_.share_that_passes(beta * V[k], conductivity_[s][k]);
       out.heat_transfer[k] += beta * passes;

@@ -6,7 +6,7 @@
 //     S_i   = |grad psi|_i dx^3                                central differences, (1, 6, 1)/8 across
 //     r_i   = S_i / (phi~_i dx^3);  r <- B^T r
 //     K_i   = dx (k_1 + k_2) = -dx div(grad phi~ / |grad phi~|), averaged with r
-//     A_i   = V_i r_i (1 + min(0.415 K_i^2, 0.5))              puts back what smoothing took off curved surfaces
+//     A_i   = V_i r_i (1 + min(c K_i^2, 0.5))                  puts back what smoothing took off curved surfaces
 // B^T only moves area onto nodes in proportion to the dough they carry, so that heat and vapour leave from where there is dough. Second
 // order for smooth bodies; edges are rounded within a cell, which costs 0.6 dx of area per length.
 // DEPARTS [Ding19 Sec. 6.6]: the printed quadrature over boundary particles finds 25 to 40 % of a sphere, whatever dx.
@@ -16,7 +16,7 @@
 
 #include <array>
 
-#include "solver/effects/free_surface.h"
+#include "solver/core/surface_layer.h"
 #include "solver/engine/contacts.h"
 #include "solver/grid/grid.h"
 #include "solver/scene/settings.h"
@@ -46,7 +46,7 @@ class FreeSurfaceMeasure {
   /// resists heat with the conductivities in `conductivity_channel`, if that is not -1. Parallel over blocks,
   /// same bits for any number of threads.
   void measure(const Real* rows, int row_size, int volume_channel, int conductivity_channel, const SurfaceLayer<Real>& layer,
-               const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
+               double rounding, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
   /// [Ding19 Sec. 6.6] as printed: every node with mass that has a neighbour without appends the particle nearest to it, and each
   /// such particle stands for a disc of pi r^2, (4/3) pi r^3 = V. Serial: for studies of small scenes.
   template <KernelOrder order>
@@ -79,6 +79,7 @@ class FreeSurfaceMeasure {
   std::vector<Nodes> volume_, mirrored_, smooth_;
   std::vector<Nodes> conductivity_;  ///< sum of w V kappa; empty if no layer resists heat
   SurfaceLayer<Real> layer_;
+  double rounding_ = 0;
   std::vector<Nodes> density_, bend_;  ///< r and r K of nodes that touch air
   std::vector<std::vector<Cover>> covers_;
   std::vector<ContactHeat> heats_;  ///< of all covers, each once

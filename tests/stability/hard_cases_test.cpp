@@ -2,6 +2,8 @@
 // Cruel scenes end with finite numbers and closed books, or with an error that names particle, quantity and step.
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include "solver/effects/elasticity.h"
 #include "solver/engine/engine.h"
 #include "solver/run/fill_scene.h"
@@ -112,10 +114,10 @@ void expect_named(const char* precision) {
       }
       if (name == field::Leavener::name) name = field::ProducedGas::name;  // it makes it in the same step, and is named first
       if (name != field::ScatteredWaterMomentum::name)                     // goes to nodes and is forgotten; see below
-        EXPECT_NE(message.find(fmt::format("particle {}: {} is not finite in step 3 ", id, name)), std::string::npos)
+        EXPECT_TRUE(std::regex_search(message, std::regex(fmt::format("^particle {}: (.*, )?{}(, .*)? not finite in step 3 ", id, name))))
             << name << ": " << message;
       else
-        EXPECT_NE(message.find("position is not finite in step 4 "), std::string::npos) << message;
+        EXPECT_NE(message.find("position not finite in step 4 "), std::string::npos) << message;
     }
   });
 }
@@ -284,8 +286,8 @@ TEST(OneOrSixtyFourParticlesPerCell, AreNoSpecialCase) {
   }
 }
 
-// A film of one cell, all of it surface, and a ball whose middle dries through its crust. Diffusion and evaporation are in proportion to
-// the water that is left: it falls exponentially, and passes round-off of what was there.
+// A film of one cell, all of it surface, and a ball whose middle dries through its crust. The drier it is the slower water comes to the
+// surface, K theta s grad s: what is left falls as 1/t.
 TEST(AllWater, CanEvaporateAndNoneIsOwed) {
   const char* shapes[] = {"box = { half_extents_m = [0.375, 0.375, 0.0625] }", "sphere = { radius_m = 0.2 }"};
   for (const char* precision : {"double", "single"})
@@ -296,11 +298,11 @@ TEST(AllWater, CanEvaporateAndNoneIsOwed) {
         dough.precision = precision;
         dough.gravity = "[0, 0, 0]";
         dough.shape = shape;
-        dough.material = Dough::properties("diffusivity_m2_per_sK = 2e-3\nevaporation_kg_per_m2sK = 50");
+        dough.material = Dough::properties("diffusivity_m2_per_sK = 2e-2\nevaporation_kg_per_m2sK = 50");
         dough.tables = "[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 100\n";
         Watched drying(dough);
         ASSERT_NO_FATAL_FAILURE(drying.run(effects == k_everything ? 5 : 15));
-        EXPECT_LT(drying.now().water, (precision[0] == 'd' ? 1e-16 : 1e-7) * drying.start().water) << effects << ", " << shape;
+        EXPECT_LT(drying.now().water, 0.05 * drying.start().water) << effects << ", " << shape;
         const Snapshot dry = drying.particles();
         for (const double m : dry["water_mass"]) ASSERT_GE(m, 0);
       }
@@ -318,6 +320,8 @@ TEST(ADoughHeatedFromTheFreezerTo400DegreesInOneFrame, StaysFinite) {
   Dough dough = small();
   dough.effects = k_everything;
   dough.body = "temperature_C = -20";
+  const std::string key = "conductivity_W_per_mK = 100";
+  dough.material.replace(dough.material.find(key), key.size(), "conductivity_W_per_mK = 1e4");
   dough.tables = "[oven]\ntemperature_C = 400\nheat_transfer_coefficient_W_per_m2K = 1e5\n";
   Watched ball(dough);
   ASSERT_NO_FATAL_FAILURE(ball.run(0.04));
