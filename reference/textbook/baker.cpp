@@ -95,7 +95,7 @@ void Baker::update_nodes(double dt, const Surroundings& surroundings) {
   }
   grid_.for_each([&](const Index& i, Node& node) {
     if (!(node.volume > 0)) return;
-    if (recipe_.water) update_water(recipe_, surroundings.air, dt, node);
+    if (recipe_.water) update_water(recipe_, surroundings, dt, node);
     if (recipe_.heat) {
       hold_temperature(recipe_, surroundings, grid_.position(i), node);
       update_heat(recipe_, dt, node);

@@ -34,22 +34,25 @@ inline void scatter_water_momentum(const Particle& p, const Recipe& recipe, doub
 
 /// s at the surface: what evaporates there comes through a layer of depth d,
 ///     rho K theta (s_i^2 - s^2) / (2 d) = beta_w theta (s - s_out),   a = rho K / (2 d beta_w)
-inline double surface_saturation(const Recipe& recipe, const Node& node, double s_i, double s_out) {
+/// d is that of the nodes, or sqrt(D t) / (2 * 0.33206), D = K theta s_i, before drying has gone so deep.
+inline double surface_saturation(const Recipe& recipe, const Node& node, double s_i, double s_out, double time) {
   if (!(node.evaporability > 0)) return s_i;
-  const double e = recipe.dx * node.evaporability, d = layer_depth(recipe, e / (e + s_i * node.permeability));
+  const double e = recipe.dx * node.evaporability, reach = std::sqrt(node.permeability * s_i / node.water_room * time) / (2 * 0.33206);
+  const double d = std::min(layer_depth(recipe, e / (e + s_i * node.permeability)), reach);
   const double a = std::min(node.permeability / (2 * d * node.evaporability), 1e12);
   const double b = s_out + a * s_i * s_i;
   return 2 * b / (1 + std::sqrt(1 + 4 * a * b));
 }
 
 /// m_i^w' = m_i^w + flux - dt A beta_w theta (s - s_out), never below zero; s_i' = m_i^w' / (rho_w V_i)   [Ding19 Eq. 24-25]
-inline void update_water(const Recipe& recipe, const Air& air, double dt, Node& node) {
+inline void update_water(const Recipe& recipe, const Surroundings& surroundings, double dt, Node& node) {
   if (!(node.water_room > 0)) return;
   const double rate = node.volume > 0 ? node.area * node.evaporability / node.volume : 0;
   const double s_i = node.water / node.water_room;
-  const double s = recipe.surface_form == Form::standard ? surface_saturation(recipe, node, s_i, air.s_out) : s_i;
+  const double s =
+      recipe.surface_form == Form::standard ? surface_saturation(recipe, node, s_i, surroundings.air.s_out, surroundings.time + dt) : s_i;
   const double after_flux = node.water + node.water_flux;
-  node.evaporated = std::min(dt * rate * (s - air.s_out), std::max(after_flux, 0.0));
+  node.evaporated = std::min(dt * rate * (s - surroundings.air.s_out), std::max(after_flux, 0.0));
   const double kept = std::max(after_flux - node.evaporated, 0.0);
   node.moved_water = kept - node.water;
   node.saturation = kept / node.water_room;

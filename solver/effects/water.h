@@ -187,13 +187,18 @@ struct Water : Effect {
     if (D > 0) limit.at_most(at.safety * at.diffusion * at.dx * at.dx / D, "water diffusion");
   }
 
+  static constexpr double k_reach = 1 / (2 * 0.33206);
+
   /// s at the surface, where as much evaporates as comes through the layer of depth d between the nodes and the surface:
   ///     rho K theta (s_i^2 - s^2) / (2 d) = beta_w theta (s - s_out).
-  /// `e`: dx V beta_w theta; `through`: V rho K theta.
+  /// d is that of the nodes, or k_reach sqrt(D t), D = K theta s_i, before drying has gone so deep: when the surface of a half-space is dry
+  /// from t = 0 on, 0.3321 rho s_i sqrt(D / t) leaves (similarity solution of s_t = (D/s_i s s_x)_x). `evaporability`: V beta_w theta;
+  /// `permeability`: V rho K theta.
   template <class V, class Real>
-  BAKE_INLINE static V surface_saturation(V s_i, V s_out, V e, V through, const SurfaceLayer<Real>& layer) {
-    const V none = 0 * e, resisted = 2 * e * layer.depth(e / (e + through * s_i + std::numeric_limits<Real>::min()));
-    const V a = through < Real(1e12) * resisted ? through / resisted : Real(1e12) + none;
+  BAKE_INLINE static V surface_saturation(V s_i, V s_out, V evaporability, V permeability, V reach, const SurfaceLayer<Real>& layer) {
+    const V e = layer.dx * evaporability, tiny = 0 * e + std::numeric_limits<Real>::min();
+    const V d = min(layer.dx * layer.depth(e / (e + permeability * s_i + tiny)), reach), resisted = 2 * d * evaporability;
+    const V a = permeability < Real(1e12) * resisted ? permeability / resisted : Real(1e12) + 0 * e;
     const V b = s_out + a * s_i * s_i;
     return layer.dx > 0 ? 2 * b / (1 + sqrt(1 + 4 * a * b)) : s_i;  // the root of a s^2 + s = b, without cancellation
   }
@@ -209,7 +214,11 @@ struct Water : Effect {
     const auto flux = node[channel::water_change];
     const auto after_flux = m + flux;
     const auto s_i = filled ? m / capacity : none;
-    const auto s = surface_saturation(s_i, around.saturation, step.dx * node[channel::evaporability], node[channel::permeability], k.layer);
+    const auto permeability = node[channel::permeability];
+    const auto D = filled ? permeability * s_i / capacity : none;
+    const auto elapsed = static_cast<std::decay_t<decltype(step.dt)>>(step.time) + step.dt;
+    const auto reach = static_cast<std::decay_t<decltype(step.dt)>>(k_reach) * sqrt(elapsed * D);
+    const auto s = surface_saturation(s_i, around.saturation, node[channel::evaporability], permeability, reach, k.layer);
     const auto wanted = filled ? rate * (s - around.saturation) : none;
     const auto evaporated = min(wanted, max(after_flux, none));
     const auto kept = max(after_flux - evaporated, none);

@@ -117,7 +117,7 @@ void expect_named(const char* precision) {
         EXPECT_TRUE(std::regex_search(message, std::regex(fmt::format("^particle {}: (.*, )?{}(, .*)? not finite in step 3 ", id, name))))
             << name << ": " << message;
       else
-        EXPECT_NE(message.find("position not finite in step 4 "), std::string::npos) << message;
+        EXPECT_TRUE(std::regex_search(message, std::regex(": position, .* not finite in step 4 "))) << message;
     }
   });
 }
@@ -302,7 +302,7 @@ TEST(AllWater, CanEvaporateAndNoneIsOwed) {
         dough.tables = "[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 100\n";
         Watched drying(dough);
         ASSERT_NO_FATAL_FAILURE(drying.run(effects == k_everything ? 5 : 15));
-        EXPECT_LT(drying.now().water, 0.05 * drying.start().water) << effects << ", " << shape;
+        EXPECT_LT(drying.now().water, 0.2 * drying.start().water) << effects << ", " << shape;
         const Snapshot dry = drying.particles();
         for (const double m : dry["water_mass"]) ASSERT_GE(m, 0);
       }
@@ -321,7 +321,7 @@ TEST(ADoughHeatedFromTheFreezerTo400DegreesInOneFrame, StaysFinite) {
   dough.effects = k_everything;
   dough.body = "temperature_C = -20";
   const std::string key = "conductivity_W_per_mK = 100";
-  dough.material.replace(dough.material.find(key), key.size(), "conductivity_W_per_mK = 1e4");
+  dough.material.replace(dough.material.find(key), key.size(), "conductivity_W_per_mK = 1e5");
   dough.tables = "[oven]\ntemperature_C = 400\nheat_transfer_coefficient_W_per_m2K = 1e5\n";
   Watched ball(dough);
   ASSERT_NO_FATAL_FAILURE(ball.run(0.04));

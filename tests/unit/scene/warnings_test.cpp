@@ -47,9 +47,10 @@ TEST(Doubts, AreNoneWhereEveryEffectHasSomethingToDo) {
 }
 
 TEST(Doubts, NameAListedEffectThatCannotMatter) {
-  EXPECT_EQ(warnings(k_all, {{"diffusivity_m2_per_sK = 1e-7", ""}}),
-            "effects lists water, which cannot matter: diffusivity_m2_per_sK, evaporation_kg_per_m2sK and pressure_Pa are zero: water only "
-            "counts as mass and heat capacity");
+  EXPECT_EQ(
+      warnings(k_all, {{"diffusivity_m2_per_sK = 1e-7", ""}}),
+      "effects lists water, which cannot matter: diffusivity_m2_per_sK and pressure_Pa are zero: no water comes to the surface, it only "
+      "counts as mass and heat capacity");
   EXPECT_EQ(
       warnings(k_all, {k_no_leavener}),
       "effects lists leavening, which cannot matter: production_mol_per_kgs is zero: no gas is made, only the air of the pores pushes");
