@@ -5,9 +5,10 @@
 //
 // Nothing else can give: walls at rest do no work, or take some by friction and by stopping what hits them; APIC's transfers keep or lose
 // kinetic energy (with its affine part), never make it; vapour takes its own along. The works are not in the ledger. They are summed here,
-// step by step, from the states that the particles pass through: gravity's m g . v dt, and V_0 pi d(ln J) for pore gas, water and thermal
-// stress, which act as pressures pi(J, theta, nu, m_w); these laws are written here once more. A step's forces are those of the state
-// before it, and their work is done along the mean of the velocities before and after it.
+// step by step, from the states that the particles pass through: gravity's m g . v dt, and V_0 pi d(ln J) for pore gas and water, which act
+// as pressures pi(J, theta, nu, m_w); these laws are written here once more. A step's forces are those of the state before it, and their
+// work is done along the mean of the velocities before and after it. Warming a solid whose strain is held strains it as well: the energy
+// of its stress, K/2 (tr epsilon - 3 alpha_l (theta - theta_0))^2 + ..., takes -V_0 beta_T (tr epsilon - ...) d theta from the heat.
 // Of the elastic stress the same would hold; its energy instead is that of the strain, half a step later: to and fro by omega dt / 2 of
 // what swings at the frequency omega, nothing for good. `k_slack` of all that was exchanged is for that.
 #pragma once
@@ -35,9 +36,10 @@ class Work {
       p.v = (1 / dt) * (p.x - before.x), p.swelling = std::log(p.J / before.J) / dt;
       const Vector3 v = first_ ? p.v : 0.5 * (p.v + before.v);
       const double swelling = first_ ? p.swelling : (p.swelling + before.swelling) / 2;
-      const double lift = dt * before.mass * dot(gravity(), v), push = dt * before.V_0 * before.pressure * swelling;
-      given_ += lift + push;
-      exchanged_ += std::abs(lift) + std::abs(push);
+      const double lift = dt * before.mass * dot(gravity(), v), push = dt * before.V_0 * before.pressure * swelling,
+                   warming = 0.5 * (before.thermal_pressure + p.thermal_pressure) * p.V_0 * (p.thermal_strain - before.thermal_strain);
+      given_ += lift + push + warming;
+      exchanged_ += std::abs(lift) + std::abs(push) + std::abs(warming);
     }
     first_ = false;
     last_ = std::move(now);
@@ -48,9 +50,10 @@ class Work {
 
  private:
   struct State {
-    Vector3 x, v;                   ///< v and swelling, d(ln J)/dt, are those of the step that led here
-    double swelling;                ///< [1/s]
-    double mass, V_0, J, pressure;  ///< pi, the negative of the Kirchhoff stress that gas, water and heat add [Pa]
+    Vector3 x, v;                             ///< v and swelling, d(ln J)/dt, are those of the step that led here
+    double swelling;                          ///< [1/s]
+    double mass, V_0, J, pressure;            ///< pi, the negative of the Kirchhoff stress that gas and water add [Pa]
+    double thermal_strain, thermal_pressure;  ///< 3 alpha_l (theta - theta_0), and K of it less tr epsilon [Pa]
   };
 
   Vector3 gravity() const { return scene_->lists("motion") ? scene_->of<Motion>().gravity_m_per_s2 : Vector3{0, 0, 0}; }
@@ -68,11 +71,6 @@ class Work {
       const Water::Material& w = of<Water>(material);
       pi += w.pressure_Pa * (water / (w.water_density_kg_per_m3 * V_0) - material.initial_saturation * J);
     }
-    if (scene_->lists("heat") && scene_->lists("elasticity")) {
-      const Elasticity::Material& e = of<Elasticity>(material);
-      const double bulk = e.young_modulus_Pa / (3 * (1 - 2 * e.poisson_ratio));
-      pi += 3 * bulk * of<Heat>(material).expansion_per_K * (theta - material.initial_temperature_C);
-    }
     return pi;
   }
 
@@ -81,6 +79,7 @@ class Work {
     const auto column = [&](const char* effect, const char* name) { return scene_->lists(effect) ? &now[name] : nullptr; };
     const auto *J = column("motion", field::VolumeRatio::name), *theta = column("heat", field::Temperature::name),
                *nu = column("leavening", field::ProducedGas::name), *water = column("water", field::WaterMass::name);
+    const auto* strain = column("elasticity", field::ElasticStrain::name);
     const auto &V_0 = now[field::InitialVolume::name], &solid = now[field::SolidMass::name];
     std::vector<State> all;
     all.reserve(now.id.size());
@@ -94,7 +93,17 @@ class Work {
                      solid[i] + m_w,
                      V_0[i],
                      ratio,
-                     pressure(material, V_0[i], ratio, of_it(theta, material.initial_temperature_C), of_it(nu, 0), m_w)});
+                     pressure(material, V_0[i], ratio, of_it(theta, material.initial_temperature_C), of_it(nu, 0), m_w),
+                     0,
+                     0});
+      if (!theta || !strain) continue;
+      const Elasticity::Material& e = of<Elasticity>(material);
+      const double bulk = e.young_modulus_Pa / (3 * (1 - 2 * e.poisson_ratio));
+      const double* b = &(*strain)[6 * i];  // less I
+      const double det = (1 + b[0]) * ((1 + b[1]) * (1 + b[2]) - b[3] * b[3]) - b[5] * (b[5] * (1 + b[2]) - b[3] * b[4]) +
+                         b[4] * (b[5] * b[3] - (1 + b[1]) * b[4]);
+      all.back().thermal_strain = 3 * of<Heat>(material).expansion_per_K * ((*theta)[i] - material.initial_temperature_C);
+      all.back().thermal_pressure = bulk * (all.back().thermal_strain - 0.5 * std::log(det));
     }
     return all;
   }
