@@ -25,11 +25,13 @@ struct Areas {
 };
 
 /// What is claimed of a standard form: a band of orders, and why. None for the published form, whose ratios do not go to 1.
+/// Bounds of `figure`.
 struct AreaClaim {
   double low, high;
   const char* why;
 };
 AreaClaim claim_of(const Areas& areas);
+double figure(const Areas& areas);  ///< what is claimed of them: of smooth bodies the largest error, of others its order
 bool holds(const Areas& areas);
 
 /// All bodies, forms and densities.

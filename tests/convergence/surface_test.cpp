@@ -15,7 +15,7 @@ class TheSurface : public testing::Test {
     for (const Areas& a : areas_)
       if (a.form == "standard" && a.smooth == smooth) {
         ++seen;
-        EXPECT_TRUE(holds(a)) << a.body << ", " << a.particles_per_cell << " particles a cell: order " << a.order() << ", allowed "
+        EXPECT_TRUE(holds(a)) << a.body << ", " << a.particles_per_cell << " particles a cell: " << figure(a) << ", allowed "
                               << claim_of(a).low << " to " << claim_of(a).high << " (" << claim_of(a).why << ")";
       }
     EXPECT_GE(seen, 3);
@@ -23,7 +23,7 @@ class TheSurface : public testing::Test {
   static inline std::vector<Areas> areas_;
 };
 
-TEST_F(TheSurface, OfASmoothBodyIsFoundAtSecondOrder) { expect_held(true); }
+TEST_F(TheSurface, OfASmoothBodyIsFoundFromFourCellsOn) { expect_held(true); }
 TEST_F(TheSurface, OfABodyWithEdgesIsFoundAtFirstOrder) { expect_held(false); }
 
 // Boundary particles stand for discs whose number goes with dx^-2 and whose area with dx^2: their sum tends to a share of the true area

@@ -21,12 +21,12 @@ double sphere_error(double cells, const char* precision) {
   return measured_area(dough) / (4 * M_PI * std::pow(cells * dough.dx, 2)) - 1;
 }
 
-// The measure is of second order; 1.5 % at 12 cells is the project's promise, 5 % at 6 leaves room for the jitter's noise.
-TEST(TheSurfaceOfASphere, IsMeasuredWithinFivePercentAtSixCells) {
-  EXPECT_NEAR(sphere_error(6, "double"), 0, 0.05);
-  EXPECT_NEAR(sphere_error(6, "single"), 0, 0.05);
+// What smoothing takes off is put back from the curvature: without that, 4.5 % are missing at 6 cells and 19 % at 3.
+TEST(TheSurfaceOfASphere, IsMeasuredWithinAHundredthFromSixCellsOn) {
+  for (const double cells : {6, 8, 12}) EXPECT_NEAR(sphere_error(cells, "double"), 0, 0.01) << cells;
+  EXPECT_NEAR(sphere_error(6, "single"), 0, 0.01);
 }
-TEST(TheSurfaceOfASphere, IsMeasuredWithinOneAndAHalfPercentAtTwelveCells) { EXPECT_NEAR(sphere_error(12, "double"), 0, 0.015); }
+TEST(TheSurfaceOfASphere, IsMeasuredWithinAFewPercentAtThreeCells) { EXPECT_NEAR(sphere_error(3, "double"), 0, 0.04); }
 
 TEST(TheSurface, IsTheSameForAnyNumberOfThreads) {
   const int threads = omp_get_max_threads();
