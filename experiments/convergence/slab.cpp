@@ -75,7 +75,7 @@ Errors interior(double t) {
 
 std::vector<Errors> held_errors(const Bar& bar, double t, Exact exact, bool quick) {
   Errors e = interior(t);
-  e.low = 0.8, e.high = 1.7;
+  e.low = 0.8, e.high = 2;
   e.why =
       "second order but for what is left of the layer at a held face, first order with a small constant: particles within half a cell of "
       "the "
