@@ -116,6 +116,49 @@ double strain_of_rest(const char* form, bool quick) {
   return std::log(s->total(total::volume) / volume);
 }
 
+/// A bar of one metre at rest whose halves start otherwise than each other, without exchange: what they become is the medium's own doing.
+StudyScene halves(const char* effects, const std::string& here, const std::string& there, bool quick) {
+  StudyScene setting;
+  setting.effects = effects;
+  setting.dx = quick ? 0.1 : 0.05;
+  const auto half = [](double x) { return fmt::format("box = {{ centre_m = [{}, 0, 0], half_extents_m = [0.25, 0.1, 0.1] }}", x); };
+  setting.tables = fmt::format("[[body]]\nmaterial = \"dough\"\nparticles_per_cell = {}\nshape = {{ {} }}\n{}\n",
+                               setting.particles_per_cell, half(-0.25), here);
+  setting.shape = half(0.25);
+  setting.body = there;
+  return setting;
+}
+
+/// Largest saturations of the halves of a bar, of which one is wet and one dry at the start, with these keys of [water].
+struct Soaked {
+  double wet, dry;
+};
+constexpr double k_soaked = 0.5;  ///< saturation of the wet half at the start
+Soaked soaked(const char* water, bool quick) {
+  StudyScene setting = halves("water", fmt::format("saturation = {}", k_soaked), "saturation = 0", quick);
+  setting.material = "density_kg_per_m3 = 1\nwater_density_kg_per_m3 = 1\ninitial_temperature_C = 1\ndiffusivity_m2_per_sK = 1\n";
+  setting.tables = fmt::format("[water]\n{}\n", water) + setting.tables;
+  const auto s = setting.begin();
+  run_to(*s, 0.1);
+  const Snapshot end = s->snapshot();
+  Soaked most{0, 0};
+  for (std::size_t i = 0; i < end.id.size(); ++i) {
+    double& half = end.position[i][0] < 0 ? most.wet : most.dry;
+    half = std::max(half, end["water_mass"][i] / end["initial_volume"][i]);
+  }
+  return most;
+}
+
+/// Hottest less coldest particle of an insulated bar whose halves started at 0 and 100 C, when conduction has long evened them out [K].
+double uneven(const char* heat, bool quick) {
+  StudyScene setting = halves("heat", "temperature_C = 0", "temperature_C = 100", quick);
+  setting.material += "specific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
+  setting.heat = heat;
+  const auto s = setting.begin();
+  run_to(*s, 1);
+  return s->highest(highest::temperature) + s->highest(highest::coldness);
+}
+
 /// Rate of the plastic strain under three times the yield stress of 1 Pa with eta = 1, from the solver's return of a short step.
 double flow_rate(bool quadratic) {
   constexpr double q = 3, tau_y = 1, eta = 1, mu = 1, dt = 1e-6;
@@ -139,6 +182,20 @@ std::vector<Consequence> all_consequences(bool quick) {
                  "1: nothing leaves", water, water_published, water_published < 0.9});
   all.push_back({"Eq. 27", "the momentum changes by - m v div v dt", "no such term: a particle's momentum is not thinned by expansion",
                  "speed left of the same ball, which nobody pushes", "1: nobody pushes", speed, speed_published, speed_published < 0.9});
+  const Soaked spread = soaked("", quick), stuck = soaked("form = \"published\"\nsubgrid_diffusion = 0", quick);
+  all.push_back({"Eq. 19", "what nodes gain and lose is shared by the water that their particles have",
+                 "gains are shared by volume, losses by water; what differs within a cell decays",
+                 fmt::format("largest saturation of a dry half of a bar, 0.1 s after it touched a half of saturation {}", k_soaked),
+                 fmt::format("between 0 and {}: water spreads", k_soaked), spread.dry, stuck.dry, stuck.dry == 0 && spread.dry > 0.1});
+  all.push_back({"Eq. 19", "the same", "the same", "largest saturation of that wet half",
+                 fmt::format("at most {}: it only gives; 1 is water alone", k_soaked), spread.wet, stuck.wet,
+                 stuck.wet > 1 && spread.wet <= k_soaked});
+  const double even = uneven("", quick), kept = uneven("subgrid_diffusion = 0", quick);
+  all.push_back(
+      {"Eq. 21", "particles take the change of their nodes and keep what differs within a cell",
+       "what differs within a cell decays as conduction over dx would have it (subgrid diffusion)",
+       "hottest less coldest particle of an insulated bar, halves of 0 and 100 C, after 1 s, ten decay times of its slowest wave [K]",
+       "0: it has evened out", even, kept, kept > 50 && even < 1});
   const double cold = cooled("standard", quick), hot = cooled("published", quick);
   all.push_back({"Sec. 4, 6.3", "the flux into the body is beta (theta - theta_out)", "beta (theta_out - theta)",
                  "mean temperature of a ball of 100 C after 0.2 s in air of 20 C", "between 20 and 100 C: it cools", cold, hot, hot > 100});

@@ -49,7 +49,7 @@ std::string as_markdown(const std::vector<Consequence>& consequences, const std:
       "<!-- SPDX-License-Identifier: MIT. Generated: bake study departures --out paper writes it anew. -->\n"
       "# Where this solver departs from the printed equations\n\n"
       "Ding et al. 2019, doi:10.1145/3355089.3356537, is the method; some of its equations cannot be meant as printed. Where the "
-      "printed form can be run (`form = \"published\"`), this is what it does to a small case.\n\n"
+      "printed form can be run (`form = \"published\"`, `subgrid_diffusion = 0`), this is what it does to a small case.\n\n"
       "## Measured\n\n| equation | printed | instead | measured | right is | as printed | here |\n|---|---|---|---|---|---|---|\n";
   for (const Consequence& c : consequences)
     text += fmt::format("| {} | {} | {} | {} | {} | {:.3g} | {:.3g} |\n", c.equation, c.printed, c.instead, c.measured, c.expected,

@@ -32,6 +32,7 @@ std::vector<Point> points_of(const std::vector<Cost>& costs, const std::vector<I
   std::vector<Point> points;
   for (const Influence& i : influences)
     for (const Outcome& without : i.without) {
+      if (without.combination == i.whole.combination) continue;  // a setting: compiled in whether used or not
       const auto [largest, quantity] = i.largest(without);
       points.push_back({i.whole.scene, fmt::format("{}", fmt::join(without.left_out, " and ")),
                         spread_of(added_ns(costs, i.whole.combination, without.combination)), largest, quantity,
@@ -150,7 +151,8 @@ std::string as_markdown(const std::vector<Cost>& costs, const std::vector<Influe
       "\n## What leaving it out changes\n\nEach scene at draft, at the end of its run, then with one effect after the other left out, and "
       "with it those that need it. The yardstick is the difference to the same scene on a grid of "
       "another node distance: a measure of the error that the grid makes. Where an effect is left out, what it "
-      "would have changed counts as it was at the start. \"(3 times)\": three yardsticks.\n\n";
+      "would have changed counts as it was at the start. \"(3 times)\": three yardsticks. Subgrid diffusion is a setting of heat and "
+      "water, off as `subgrid_diffusion = 0`; it is computed all the same, so its cost cannot be told this way.\n\n";
   for (const Influence& i : influences) text += influence_as_markdown(i);
   text +=
       "## Cost against influence\n\n| scene | without | adds [ns per particle-step] | of the run's processor time | largest change over "

@@ -52,7 +52,7 @@ struct Quantity {
 /// A scene, whole or with some effects left out, run to its end.
 struct Outcome {
   std::string scene;                  ///< name of the file: "bread"
-  std::vector<std::string> left_out;  ///< an effect and those that need it; none: the whole scene
+  std::vector<std::string> left_out;  ///< an effect and those that need it, or a setting; none: the whole scene
   std::string combination;            ///< name of what is left, of bench::k_combinations
   double dx_m;
   std::vector<Quantity> quantities;
@@ -64,7 +64,7 @@ std::vector<std::string> with_dependents(const std::string& effect, const std::v
 
 struct Influence {
   Outcome whole, other;                         ///< the scene as it is, and on a grid of another node distance
-  std::vector<Outcome> without;                 ///< each effect left out in turn
+  std::vector<Outcome> without;                 ///< each effect left out in turn, and subgrid diffusion
   double error_of(std::size_t quantity) const;  ///< difference between the resolutions: the yardstick
   double change_of(std::size_t quantity, const Outcome& without) const;
   /// Largest change over its yardstick, of all quantities, and which it is.

@@ -59,6 +59,15 @@ TEST(Influence, HasNoYardstickShorterThanRoundOff) {
   EXPECT_EQ(influence.largest(outcome(2, 0.3)).first, 0);
 }
 
+TEST(Influence, OfSubgridDiffusionIsThatOfASettingAndOfNoEffect) {
+  for (const Influence& scene : measure_influence({2, 4, 0.05})) {
+    const Outcome& without = scene.without.back();
+    EXPECT_EQ(without.left_out, std::vector<std::string>{"subgrid diffusion"});
+    EXPECT_EQ(without.combination, scene.whole.combination);
+    EXPECT_GT(scene.largest(without).first, 0) << scene.whole.scene;
+  }
+}
+
 TEST(Costs, AreMeasuredForEveryCombinationInEveryRepeat) {
   const auto costs = measure_costs({200, 1, 1, 3});
   ASSERT_EQ(costs.size(), 13u);  // all without FLIP
