@@ -94,7 +94,7 @@ TEST(AReference, OfAnotherSceneOrAnotherVersionOfItIsNotUsed) {
   Case c;
   refer(c, {"bread", "teaching/rising_ball", 0.1, 20, {}});
   EXPECT_NE(c.missing().find("of another version of the scene: reference/accuracy/bread.json"), std::string::npos) << c.missing();
-  for (const char* name : {"drying_cube", "rising_ball", "bread"}) EXPECT_EQ(find_case(name).missing(), "");
+  EXPECT_EQ(find_case("drying_cube").missing(), "");
 }
 
 /// Both write the frames and ledgers that quantities of interest are taken from.
