@@ -88,13 +88,14 @@ std::vector<Errors> drying_ball(bool quick) {
   Errors water, heat;
   water.quantity = "water lost, against finite volumes in the radius";
   heat.quantity = "heat gained, against finite volumes in the radius";
-  water.figure = heat.figure = Errors::Figure::largest_error;
-  water.high = heat.high = 0.02;
+  water.low = 1.2, water.high = 2.2;
   water.why =
-      "the layer between the surface and the nodes resists as the dough of that depth would, to some 0.03 dx; the noise of the particles "
-      "is a "
-      "few promille of the area";
-  heat.why = "as the water";
+      "between first and second order: the layer between the surface and the nodes resists as the dough of that depth would, once drying "
+      "has "
+      "gone so deep; until then as the layer that is dry, as if its water had not fallen yet";
+  heat.figure = Errors::Figure::largest_error;
+  heat.high = 0.02;
+  heat.why = "heat takes the resistance of its layer along; what is left is the heat of the water that left";
   water.refined = heat.refined = "cells in the radius";
   water.refinements = heat.refinements = quick ? std::vector<double>{11, 15, 20} : std::vector<double>{11, 15, 20, 28};
   for (const double cells : water.refinements) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The two Eulers of heat on one grid: only the step is refined.
+// The two Eulers of heat on one grid: only the step is refined. Without subgrid diffusion, which lags by a step and adds an error of its
+// own, of second order in long ones.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -19,7 +20,7 @@ std::vector<double> temperatures(const char* integrator, double steps) {
   Bar bar;
   bar.end_s = k_end;
   bar.material = "initial_temperature_C = 0\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
-  bar.tables = fmt::format("[heat]\nintegrator = \"{}\"\ntolerance = 1e-12\n", integrator);
+  bar.tables = fmt::format("[heat]\nintegrator = \"{}\"\ntolerance = 1e-12\nsubgrid_diffusion = 0\n", integrator);
   bar.time = fmt::format("safety = 1\nlargest_step_s = {:.17g}\n", k_end / (steps - 0.5));
   bar.state = [](double x) { return fmt::format("temperature_C = {:.17g}", std::cos(std::numbers::pi * x)); };
   const auto s = bar.begin();
