@@ -46,7 +46,7 @@ inline void touch(const Grid& grid, const Surroundings& surroundings, const Inde
 /// see the held nodes' temperature, as if the face were d_0 further out: that is made good.
 inline void hold_temperature(const Recipe& recipe, const Surroundings& surroundings, const Vector& x, Node& node) {
   const bool conducts = recipe.heat_transfer_form == Form::standard;
-  const double d_0 = !conducts ? 0 : recipe.kernel == Kernel::quadratic ? 0.05 : 0.08;
+  const double d_0 = !conducts ? 0 : recipe.kernel == Kernel::quadratic ? 0.11 : 0.15;
   const Solid* nearest = nullptr;
   for (const Solid& solid : surroundings.solids)
     if (solid.is_grip && solid.theta && (!nearest || solid.distance(x) < nearest->distance(x))) nearest = &solid;

@@ -60,11 +60,12 @@ inline void update_heat(const Recipe& recipe, double dt, Node& node) {
   else
     node.theta = (content + dt * node.heat_transfer_source) / (capacity + dt * node.heat_transfer);
   node.heat_weight = capacity + dt * node.heat_transfer;
-  if (node.held) {
+  node.theta_change = node.theta - old;
+  if (node.held) {  // subgrid diffusion takes the particles there
     node.theta = *node.held;
     node.heat_weight = 0;
+    node.theta_change = recipe.heat_subgrid > 0 ? 0 : node.theta - old;
   }
-  node.theta_change = node.theta - old;
 }
 
 /// What a particle sees of the nodes' temperatures.

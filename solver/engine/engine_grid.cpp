@@ -179,13 +179,14 @@ Surroundings<Real> Engine<Real>::surroundings(int pack, const BlockSurroundings<
 }
 
 /// A grip holds the temperature of nodes in it. Were that all, the face would seem to lie where the first of them is, up to dx further out,
-/// and d_0 = 0.05 dx (cubic: 0.08) more, since particles between it and the next node see its temperature and not the line continued (by
-/// measurement; without subgrid diffusion 0.12 and 0.20 dx). The next node, s dx outside of the grip, would be heated by kappa V_i / dx^2,
-/// as if through dx; for a face where the grip's is, that must be 1 / (s - d_0), so that (1 + d_0 - s) / (s - d_0) is added.
+/// and d_0 = 0.11 dx (cubic: 0.15) more, since particles between it and the next node see its temperature and not the line continued (by
+/// measurement, for faces through nodes; 0.05 dx less on others). The next node, s dx outside of the grip, would be heated by
+/// kappa V_i / dx^2, as if through dx; for a face where the grip's is, that must be 1 / (s - d_0), so that (1 + d_0 - s) / (s - d_0) is
+/// added.
 template <class Real>
 void Engine<Real>::hold_temperatures(std::size_t slot, int first, const Lanes<Real>* scattered, Surroundings<Real>& around) const {
   const bool conducts = physics_->conductivity_channel >= 0;
-  const double dx = geometry_.dx(), d_0 = !conducts ? 0 : scene_.grid.kernel == KernelOrder::quadratic ? 0.05 : 0.08;
+  const double dx = geometry_.dx(), d_0 = !conducts ? 0 : scene_.grid.kernel == KernelOrder::quadratic ? 0.11 : 0.15;
   for (int l = 0; l < k_width<Real>; ++l) {
     const auto held = contacts_.held_near(node_position(geometry_.origin(active_.at[slot]), dx, first + l), conducts ? (1 + d_0) * dx : 0);
     if (!held) continue;
