@@ -54,6 +54,7 @@ inline void hold_temperature(const Recipe& recipe, const Surroundings& surroundi
   const double s = nearest->distance(x) / recipe.dx;
   if (s <= d_0 + 1e-6) {
     node.held = *nearest->theta;
+    node.at_face = s > -2;
   } else if (conducts && s <= 1 + d_0) {
     const double conductance = node.conductivity / (recipe.dx * recipe.dx) * (1 + d_0 - s) / (s - d_0);
     node.heat_transfer += conductance;

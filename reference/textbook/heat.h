@@ -64,7 +64,7 @@ inline void update_heat(const Recipe& recipe, double dt, Node& node) {
   if (node.held) {  // subgrid diffusion takes the particles there
     node.theta = *node.held;
     node.heat_weight = 0;
-    node.theta_change = recipe.heat_subgrid > 0 ? 0 : node.theta - old;
+    node.theta_change = recipe.heat_subgrid > 0 && node.at_face ? 0 : node.theta - old;
   }
 }
 

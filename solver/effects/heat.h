@@ -248,8 +248,8 @@ struct Heat : Effect {
 
   /// (content + change + dt sum S beta theta_out) / (capacity + dt sum S beta), the capacity being that after the step's water
   /// fluxes: the transfer is implicit at the node, so a light surface node never limits the step; it gains what the surroundings
-  /// lose, to round-off. Vapour leaves with the new temperature. Around a node that a grip holds, subgrid diffusion takes the particles
-  /// there: given its change, those inside of the grip would overshoot as far as those outside fall short, to the held mean.
+  /// lose, to round-off. Vapour leaves with the new temperature. At the face of a grip that holds a temperature, subgrid diffusion takes
+  /// the particles there: given the nodes' change, those inside would overshoot as far as those outside fall short, to the held mean.
   /// DEPARTS [Ding19 Sec. 4, 6.3]: the boundary flux is beta (theta_out - theta); as printed, a hot body heats itself.
   BAKE_INLINE static void update(auto& node, const auto& k, const auto& step, auto& budget) {
     using N = std::decay_t<decltype(node)>;
@@ -271,7 +271,7 @@ struct Heat : Effect {
     if (k.published_heat_transfer) theta = filled ? (content + change - source + transfer * old) / capacity : none;
     budget.book(booked::heat_exchanged, filled ? capacity * theta - (content + change) : none);
     const auto held = around.is_held & filled;
-    const auto taken_on = k.evens_out ? old : around.held;  // by the particles around a held node
+    const auto taken_on = k.evens_out & around.is_at_face ? old : around.held;  // by the particles around a held node
     budget.book(booked::heat_exchanged, held ? capacity * (taken_on - theta) : none);
     // water that moves or leaves is booked with the node's temperature
     budget.book(booked::heat_exchanged, held ? (capacity - node[channel::heat_capacity]) * (around.held - taken_on) : none);

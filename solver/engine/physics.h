@@ -88,6 +88,7 @@ struct Surroundings {
   V saturation;            ///< s_out of the air
   V held;                  ///< temperature that a grip holds [C]
   LaneMask<Real> is_held;
+  LaneMask<Real> is_at_face;  ///< of the grip: it sees particles outside
 };
 
 /// What the grid update says of W nodes beside the rows that are gathered.
