@@ -21,18 +21,18 @@ TEST(TheFittedOrder, IsTheExponentOfAPowerLaw) {
 }
 
 TEST(Slab, DecaysAtSecondOrderInside) { expect_held(slab_cosine); }
-TEST(Slab, KeepsAJumpBetweenNeighboursWithinACell) { expect_held(slab_halves); }
-TEST(Slab, WarmsAtFirstOrderBetweenHeldFaces) {
+TEST(Slab, EvensOutAJumpBetweenNeighboursAtSecondOrder) { expect_held(slab_halves); }
+TEST(Slab, WarmsBetweenHeldFacesAsItsSeriesSays) {
   expect_held(slab_held);
   expect_held(slab_held_and_insulated);
 }
 
-TEST(Slab, CoolsInAirAtFirstOrder) { expect_held(robin); }
-TEST(Square, WarmsAtFirstOrderBetweenHeldSides) { expect_held(square); }
+TEST(Slab, CoolsInAirAsItsSeriesSays) { expect_held(robin); }
+TEST(Square, WarmsBetweenHeldSidesAsItsSeriesSays) { expect_held(square); }
 TEST(BothEulers, AreOfFirstOrderInTime) { expect_held(eulers); }
 
 TEST(Water, DiffusesAtSecondOrderInside) { expect_held(fick); }
-TEST(Water, SpreadsIntoDrySolidAsBarenblattSaysButLagsAtTheFront) { expect_held(barenblatt); }
+TEST(Water, SpreadsIntoDrySolidAsBarenblattSays) { expect_held(barenblatt); }
 
 TEST(ElasticPulse, TravelsAtSecondOrderInSpaceAndFirstInTime) { expect_held(pulse_wave); }
 TEST(ElasticBar, SwingsFreelyWithAPeriodOfSecondOrder) { expect_held(free_bar); }
