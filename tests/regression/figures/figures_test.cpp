@@ -82,6 +82,15 @@ void check_pictures(const Made& made, const char* experiment) {
   }
 }
 
+TEST(Figure4, ACakeFlowsOutOfItsCentreAndOneThatBakedLongerDoesNot) {
+  const Made figure(4, "lava_cake");
+  ASSERT_LE(figure.exit_code, 1) << figure.errors;
+  for (const auto& claim : figure.claims) EXPECT_TRUE(claim["holds"].get<bool>()) << claim.dump(1);
+  EXPECT_EQ(figure.exit_code, 0);
+  EXPECT_GE(figure.claims.size(), 10u);
+  check_pictures(figure, "fig04_lava_cake");
+}
+
 TEST(Figure15, LoavesExpandAndSlitsOpenButTheTopDoesNotCrack) {
   const Made figure(15, "bread");
   ASSERT_LE(figure.exit_code, 1) << figure.errors;

@@ -125,10 +125,8 @@ TEST_F(FigureFile, RefusesClaimsThatCannotBeMeasured) {
 TEST_F(FigureFile, RefusesChartsOfWhatHasNoTimes) {
   EXPECT_EQ(error_of("metric = \"heated_share\"", "column = \"volume_m3\"\nmetric = \"heated_share\""),
             "figure.toml:29: chart.1.column: allowed: column or metric, with `of`, or a name alone");
-  EXPECT_EQ(error_of("metric = \"heated_share\"", "metric = \"hated_share\"").substr(0, 105),
-            "figure.toml:29: chart.1.metric: unknown metric of a run that has a time 'hated_share'; did you mean 'heate");
-  EXPECT_EQ(error_of("metric = \"heated_share\"", "metric = \"volume_gain\"").substr(0, 76),
-            "figure.toml:29: chart.1.metric: unknown metric of a run that has a time 'vol");
+  EXPECT_EQ(error_of("metric = \"heated_share\"", "metric = \"hated_share\""),
+            "figure.toml:29: chart.1.metric: unknown metric of a run that has a time 'hated_share'; did you mean 'heated_share'?");
   EXPECT_EQ(error_of("temperature_C = 60\n", ""),
             "figure.toml:26: chart.1.temperature_C: missing, allowed: what heated_share needs: temperature_C");
   EXPECT_EQ(error_of("temperature_C = 60", "temperature_C = 60\ntime_s = 2"),
