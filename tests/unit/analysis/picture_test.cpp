@@ -152,8 +152,9 @@ TEST_F(Pictures, ShowOneMaterialOfAFrame) {
   Histories histories;
   const auto extent = [&](std::optional<int> material) {
     view.objects[0].material = material;
+    const PictureObject object = load_object(frame, {}, view, view.objects[0], histories, 1);
     float low = 1, high = -1;
-    for (const Vec3f& p : load_object(frame, {}, view, view.objects[0], histories, 1).meshes[0].vertices) {
+    for (const Vec3f& p : object.meshes[0].vertices) {
       low = std::min(low, p.x());
       high = std::max(high, p.x());
     }
