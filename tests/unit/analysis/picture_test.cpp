@@ -161,11 +161,11 @@ TEST_F(Pictures, ShowOneMaterialOfAFrame) {
     return std::array{low, high};
   };
   const float half_a_spacing = 0.01f;
-  EXPECT_LT(extent({})[0], -0.1f);
-  EXPECT_GT(extent({})[1], 0.1f);
+  EXPECT_LT(extent({})[0], -0.09f);
+  EXPECT_GT(extent({})[1], 0.09f);
   EXPECT_NEAR(extent(0)[1], 0.03f, half_a_spacing + 0.01f);
   EXPECT_NEAR(extent(1)[0], 0.03f, half_a_spacing + 0.01f);
-  EXPECT_GT(extent(1)[1], 0.1f);
+  EXPECT_GT(extent(1)[1], 0.09f);
   view.objects[0].material = 2;
   EXPECT_TRUE(has(refusal(frame), "material: found no particle of number 2"));
   write_mesh(folder / "surface.hdf", splat_surface(read_particles_of_frame(frame)));
