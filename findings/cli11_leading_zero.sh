@@ -4,7 +4,8 @@
 # Behaviour: an option that fills an integer takes a leading zero for octal, so 010 is 8 and 08 is refused; the same text for an option
 # that fills a double is 10.
 # Expected: 10 and 8. Numbers of frames and steps are often padded with zeros in the names of files, scripts pass them on, and the usual
-# readers of decimal numbers (std::from_chars, operator>>) give 10. The manual of that version does not speak of octal numbers.
+# readers of decimal numbers (std::from_chars, operator>>) give 10. A table in the manual names octal numbers among those that are
+# accepted; that a zero is enough for one, and only where the variable is an integer, it does not say.
 # Seen: "8 10", and for 08 exit code 104.
 source "$(dirname "$0")/common.sh"
 debian_packages libcli11-dev=2.1.2+ds-1

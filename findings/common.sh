@@ -18,6 +18,7 @@ npm_packages() {
 }
 
 # Debian packages as name=version, and those they need that the machine does not have; unpacked here, the machine stays as it is.
+# Their Python packages are found by "$python".
 debian_packages() {
   local needed package
   mkdir -p packages root
@@ -27,9 +28,9 @@ debian_packages() {
   # shellcheck disable=SC2086  # one word a package
   (cd packages && apt-get download "$@" $needed) >apt.log 2>&1 || cannot_try "apt cannot download $*"
   for package in packages/*.deb; do dpkg -x "$package" root; done
-  local library=root/usr/lib
-  local of_machine=$library/$(dpkg-architecture -qDEB_HOST_MULTIARCH 2>/dev/null || gcc -print-multiarch)
-  export LD_LIBRARY_PATH="$folder/$of_machine:$folder/$of_machine/blas:$folder/$of_machine/lapack:$folder/$library"
+  local libraries="$folder/root/usr/lib" of_machine
+  of_machine=$(cd root/usr/lib && echo ./*-linux-gnu*)
+  export LD_LIBRARY_PATH="$libraries/$of_machine:$libraries/$of_machine/blas:$libraries/$of_machine/lapack:$libraries"
   export PATH="$folder/root/usr/bin:$PATH" PYTHONPATH="$folder/root/usr/lib/python3/dist-packages"
   python=/usr/bin/python3  # Debian's own, which the packages are made for
   [[ -x $python ]] || python=$folder/root/usr/bin/python3
@@ -37,7 +38,7 @@ debian_packages() {
 
 # Compiles a program that uses the unpacked packages: compile <source> [libraries]
 compile() {
-  c++ -std=c++17 -O1 -I root/usr/include -I root/usr/include/eigen3 "$1" -o program -L "${LD_LIBRARY_PATH%%:*}" "${@:2}" >compile.log 2>&1 ||
+  c++ -std=c++17 -O1 -I root/usr/include -I root/usr/include/eigen3 "$1" -o program -L "${LD_LIBRARY_PATH%%:*}" "${@:2}" 2>compile.log ||
     cannot_try "$1 does not compile: $(grep -m 1 error compile.log)"
 }
 

@@ -21,7 +21,8 @@ int main() {
   double number_again = 0;
   float single_again = 0;
   text >> number_again >> single_again;
-  std::cout << text.str() << '\n' << (number_again == number(0) ? "same" : "other") << '\n' << (single_again == single(0) ? "same" : "other") << '\n';
+  std::cout << text.str() << '\n';
+  for (const bool same : {number_again == number(0), single_again == single(0)}) std::cout << (same ? "same\n" : "other\n");
 }
 END
 compile matrix.cpp

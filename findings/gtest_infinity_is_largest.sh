@@ -25,6 +25,6 @@ TEST(Infinity, Compared) {
 }
 END
 compile tests.cpp -lgtest -lgtest_main -pthread
-verdict() { ./program 2>&1 >/dev/null; }
+verdict() { { ./program >/dev/null; } 2>&1; }
 look_at verdict
 conclude "0 of 2 failed" "GoogleTest's EXPECT_DOUBLE_EQ takes infinity and the largest number for equal"

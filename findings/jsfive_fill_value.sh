@@ -4,8 +4,8 @@
 # Behaviour: jsfive does not apply the fill value: elements of chunks that were never written are holes in the array, and a chunked dataset
 # in which nothing was written is an array of length 0, whatever its shape says.
 # Expected: the fill value, as HDF5's own library gives (here compiled as h5wasm); the file format stores it for that purpose. A mean over
-# the array skips the holes: JavaScript's reduce and forEach pass over them. The readme does not list it among the limitations.
-# Seen: h5wasm reads -1,-1,5,6 and -1,-1,-1,-1; jsfive reads two holes before 5,6 and then nothing for the shape of 4.
+# the array is wrong without an error, as reduce and forEach pass over holes. The readme does not list it among the limitations.
+# Seen: h5wasm reads -1,-1,5,6 and -1,-1,-1,-1; jsfive reads two holes before 5,6, and no element at all for the shape of 4.
 source "$(dirname "$0")/common.sh"
 npm_packages jsfive@0.4.2 h5wasm@0.10.3
 debian_packages python3-h5py-serial=3.7.0-8 python3-h5py=3.7.0-8

@@ -3,8 +3,8 @@
 # Packages: python3-openvdb and libopenvdb10.0, 10.0.1-2.
 # Behaviour: copyFromArray takes a NaN for a value that equals the background, with tolerance 0: the voxel stays inactive and reads as the
 # background.
-# Expected: an active voxel that holds NaN, since the function makes every value active that differs from the background, and NaN differs
-# from every number. A field that blew up in places looks as if there were nothing.
+# Expected: an active voxel that holds NaN. By its help the function leaves a voxel inactive if and only if its value equals the background,
+# and NaN equals no number. A field that blew up in places looks as if there were nothing.
 # Seen: of the values 1, NaN, infinity two voxels are active; NaN is read back as 0.
 source "$(dirname "$0")/common.sh"
 debian_packages python3-openvdb=10.0.1-2 libopenvdb10.0=10.0.1-2

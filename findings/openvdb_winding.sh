@@ -3,8 +3,8 @@
 # Packages: python3-openvdb and libopenvdb10.0, 10.0.1-2.
 # Behaviour: the quads that convertToPolygons (volumeToMesh) makes of a level set point inwards: seen from outside their corners run
 # clockwise, and the signed volume is negative.
-# Expected: outwards, as STL, OBJ, glTF, CGAL and OpenVDB's own convention of signs (negative inside) suggest. The reference of the function
-# does not state an orientation.
+# Expected: outwards, as STL and glTF ask for and as the signs of a level set suggest: negative inside, so that its gradient does so.
+# The help of the function states no orientation.
 # Seen: for a ball of radius 1, volume 4.19, the signed volume is -4.14.
 source "$(dirname "$0")/common.sh"
 debian_packages python3-openvdb=10.0.1-2 libopenvdb10.0=10.0.1-2

@@ -43,4 +43,5 @@ readers() {
   echo "Assimp $(grep -c 'facet normal' house.stl)"
 }
 look_at readers
-conclude "three.js 1 OpenCTM 2 Assimp 4" "a PLY face of five corners is left out by three.js, cut to a triangle by OpenCTM and whole in Assimp"
+conclude "three.js 1 OpenCTM 2 Assimp 4" \
+  "a PLY face of five corners is left out by three.js, cut to a triangle by OpenCTM and whole in Assimp"

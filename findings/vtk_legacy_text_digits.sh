@@ -34,4 +34,5 @@ for kind, value in (vtk.VTK_FLOAT, 123456.789), (vtk.VTK_DOUBLE, 1 / 3):
     print("XML", again(xml, vtk.vtkXMLPolyDataReader(), "points.vtp", kind, value))
 END
 look_at "$python" points.py
-conclude "legacy 123457.0 XML same legacy 0.33333333333 XML same" "VTK's legacy text files keep 6 digits of a float and 11 of a double, its XML files all"
+conclude "legacy 123457.0 XML same legacy 0.33333333333 XML same" \
+  "VTK's legacy text files keep 6 digits of a float and 11 of a double, its XML files all"
