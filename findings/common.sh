@@ -4,7 +4,6 @@
 # install packages into it and compare what is seen with what the finding states.
 # Exit codes: 0 the finding holds, 1 the behaviour is another one by now, 2 it could not be tried.
 set -euo pipefail
-# shellcheck disable=SC2154  # folder is known where the trap runs
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
@@ -29,8 +28,10 @@ debian_packages() {
   (cd packages && apt-get download "$@" $needed) >apt.log 2>&1 || cannot_try "apt cannot download $*"
   for package in packages/*.deb; do dpkg -x "$package" root; done
   local libraries="$folder/root/usr/lib" of_machine
-  of_machine=$(cd root/usr/lib && echo ./*-linux-gnu*)
-  export LD_LIBRARY_PATH="$libraries/$of_machine:$libraries/$of_machine/blas:$libraries/$of_machine/lapack:$libraries"
+  mkdir -p "$libraries"
+  of_machine=$(cd "$libraries" && echo ./*-linux-gnu*)
+  export LD_LIBRARY_PATH="$libraries/$of_machine"
+  LD_LIBRARY_PATH+=":$libraries/$of_machine/blas:$libraries/$of_machine/lapack:$folder/root/lib/$of_machine:$libraries"
   export PATH="$folder/root/usr/bin:$PATH" PYTHONPATH="$folder/root/usr/lib/python3/dist-packages"
   python=/usr/bin/python3  # Debian's own, which the packages are made for
   [[ -x $python ]] || python=$folder/root/usr/bin/python3
@@ -43,7 +44,7 @@ compile() {
 }
 
 # Runs a command; what it prints becomes $seen, one line.
-look_at() { seen=$("$@" 2>messages | tr '\n' ' ' | sed 's/ *$//') || seen="failed with: $(tail -n 1 messages)"; }
+look_at() { seen=$("$@" 2>messages | tr '\n' ' ' | sed 's/ *$//') || seen="failed: $(grep -m 1 -i error messages || tail -n 1 messages)"; }
 
 # conclude <what must have been seen> <the finding in one sentence>
 conclude() {
