@@ -67,7 +67,8 @@ double room(const Surroundings& surroundings, const Vector& x, double dx) {
 const Solid* covering(const Surroundings& surroundings, const Vector& x, const Vector* n, double reach) {
   for (const Solid& solid : surroundings.solids) {
     if (solid.is_grip || solid.distance(x) > reach) continue;
-    if (n && dot(solid.normal(x), *n) > -0.5) continue;  // the surface looks elsewhere
+    if (n && dot(solid.normal(x), *n) > -0.5 && solid.distance(x) - solid.distance(x + reach * *n) < reach / 2)
+      continue;  // looks elsewhere
     return &solid;
   }
   return nullptr;

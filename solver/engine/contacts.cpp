@@ -196,7 +196,11 @@ Vector3 Contacts::velocity_after(const Point& x, Vector3 v, const NodesAround* a
 std::optional<ContactHeat> Contacts::covering(const Point& x, const std::optional<Vector3>& n, double reach) const {
   for (const Present& p : present_) {
     if (p.contact->rule == Rule::grip || !reaches(p, x, reach)) continue;
-    if (n && dot(p.contact->scripted.normal(p.pose, x), *n) > -0.5) continue;  // the surface looks elsewhere
+    if (n) {
+      const auto distance = [&](const Point& y) { return p.contact->scripted.distance(p.pose, y); };
+      const bool ahead = distance(x) - distance(x + reach * *n) >= reach / 2 || dot(p.contact->scripted.normal(p.pose, x), *n) <= -0.5;
+      if (!ahead) continue;  // the surface looks elsewhere
+    }
     if (!p.contact->temperature) return ContactHeat{};
     return ContactHeat{p.contact->heat_transfer_coefficient, p.temperature};
   }

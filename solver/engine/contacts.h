@@ -64,8 +64,8 @@ class Contacts final : public Obstacles {
   Vector3 velocity_after(const Point& x, Vector3 v, const NodesAround* around = nullptr) const;
   /// All nodes that contact with a collider depends on are no further from it than this [m].
   double reach_beside_colliders() const { return 2.1 * geometry_.dx(); }
-  /// Does a solid stand within `reach` of a surface at `x`, in front of its outward normal `n` if that is known? Its heat, zero if
-  /// it gives none.
+  /// Does a solid stand within `reach` of a surface at `x`, in front of its outward normal `n` if that is known: does its nearest face look
+  /// against n, or is a face nearer by reach / 2 if one goes that far along n, as where walls meet? Its heat, zero if it gives none.
   std::optional<ContactHeat> covering(const Point& x, const std::optional<Vector3>& n, double reach) const;
   /// The share that colliders leave to the dough of what is averaged into phi~ at `x` (surface.h): 1 from 2.5 dx on, one half on the
   /// face of one, 0 inside. Grips take nothing, since they hold dough.
