@@ -63,6 +63,12 @@ double temperature_at(const Results& run, const MetricPlace& at) {
   return temperature_of(run, run.frame_at(at.time_s), particle_at(run.frame(0), *at.point_m));
 }
 
+double temperature_lead(const Results& run, const MetricPlace& at) {
+  const FrameReader start = run.frame(0);
+  const int frame = run.frame_at(at.time_s);
+  return temperature_of(run, frame, particle_at(start, *at.from_m)) - temperature_of(run, frame, particle_at(start, *at.to_m));
+}
+
 /// Time of the first frame at which a particle has a temperature; infinite if it never has.
 double time_to_reach(const Results& run, const MetricPlace& at) {
   const auto particle = particle_at(run.frame(0), *at.point_m);
@@ -126,6 +132,33 @@ double outflow(const Results& run, const MetricPlace& at) {
   return volume_share(frame, [&](std::size_t row) { return distance_from(axis, position(positions, row)) > *at.radius_m; });
 }
 
+/// The distance from an upright axis that a share of the volume does not exceed. A whole body's rim would be one particle.
+double radius_of_share(const FrameReader& frame, const std::array<double, 2>& axis, double share) {
+  const auto positions = frame.positions();
+  const auto volumes = frame.column("volume");
+  std::vector<std::pair<double, double>> radius_and_volume;
+  double all = 0;
+  for (std::size_t row = 0; row < volumes.size(); ++row) {
+    radius_and_volume.emplace_back(distance_from(axis, position(positions, row)), volumes[row]);
+    all += static_cast<double>(volumes[row]);
+  }
+  std::sort(radius_and_volume.begin(), radius_and_volume.end());
+  double within = 0;
+  for (const auto& [radius, volume] : radius_and_volume)
+    if ((within += volume) >= share * all) return radius;
+  return std::nan("");
+}
+
+double diameter(const Results& run, const MetricPlace& at) {
+  constexpr double k_share = 0.99;
+  const auto axis = at.point_m ? std::array{(*at.point_m)[0], (*at.point_m)[1]} : axis_of(run);
+  return 2 * radius_of_share(run.frame(run.frame_at(at.time_s)), axis, k_share);
+}
+
+double height_over_diameter(const Results& run, const MetricPlace& at) {
+  return run.column("height_m")[static_cast<std::size_t>(run.frame_at(at.time_s))] / diameter(run, at);
+}
+
 /// The top within a radius of the axis: the highest particle of each ring of equal area.
 std::vector<std::array<double, 2>> top_profile(const Results& run, const MetricPlace& at) {
   constexpr std::size_t k_rings = 8;
@@ -183,6 +216,13 @@ std::vector<Metric> frame_metrics() {
        nullptr,
        {"point_m"},
        {"time_s"}},
+      {"temperature_lead",
+       "K",
+       "temperature of the particle that started nearest to from_m, less that of the one nearest to to_m: surface and core",
+       temperature_lead,
+       nullptr,
+       {"from_m", "to_m"},
+       {"time_s"}},
       {"time_to_reach",
        "s",
        "time at which the particle that started nearest to point_m reaches temperature_C",
@@ -203,6 +243,20 @@ std::vector<Metric> frame_metrics() {
        nullptr,
        {"radius_m"},
        {"time_s"}},
+      {"diameter",
+       "m",
+       "twice the distance from the upright axis (through point_m, or the start's middle) within which 99 % of the volume is",
+       diameter,
+       nullptr,
+       {},
+       {"point_m", "time_s"}},
+      {"height_over_diameter",
+       "1",
+       "height over that diameter: what is flat has little",
+       height_over_diameter,
+       nullptr,
+       {},
+       {"point_m", "time_s"}},
       {"top_curvature",
        "1/m",
        "curvature of the top within radius_m of that axis: above 0 for a dome, below for a dent",

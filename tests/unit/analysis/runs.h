@@ -56,11 +56,11 @@ inline void write_run(const std::filesystem::path& folder, const Ball& ball, int
     }
     write_frame(folder / "frames" / frame_name(frame), frame,
                 {ball.positions,
-                 {{"id", "", std::span<const std::int64_t>(ball.ids), 1},
-                  {"material", "1", std::span<const std::int64_t>(material), 1},
-                  {"temperature", "C", std::span<const float>(temperature), 1},
-                  {"volume", "m^3", std::span<const float>(ball.volumes), 1},
-                  {"water_mass", "kg", std::span<const float>(water), 1}}});
+                 {{"id", "", ball.ids, 1},
+                  {"material", "1", material, 1},
+                  {"temperature", "C", temperature, 1},
+                  {"volume", "m^3", ball.volumes, 1},
+                  {"water_mass", "kg", water, 1}}});
     series.push_back({"frames/" + frame_name(frame), static_cast<double>(frame)});
   }
   write_series(folder / "frames.hdf.series", series);
