@@ -121,6 +121,12 @@ inline double spline_slope(Kernel kernel, double u) {
   return u < 2 ? -0.5 * sign * (2 - u) * (2 - u) : 0;
 }
 
+/// The quadratic B-spline's integral from d on: the share of what is averaged at a distance d from a solid that lies in it.
+inline double beyond(double d) {
+  if (d < 0) return 1 - beyond(-d);
+  return d < 0.5 ? 0.5 - 0.75 * d + d * d * d / 3 : d < 1.5 ? std::pow(1.5 - d, 3) / 6 : 0;
+}
+
 /// The second moment of the weights, sum_i w r r^T = D I [m^2].
 inline double second_moment(Kernel kernel, double dx) { return dx * dx / (kernel == Kernel::quadratic ? 4 : 3); }
 
