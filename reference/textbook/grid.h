@@ -23,6 +23,7 @@ struct Node {
   double water_room = 0;     ///< rho_w V: the water that would fill the node [kg]
   double evaporability = 0;  ///< beta_w theta V [kg m/s]
   double permeability = 0;   ///< rho_w K theta V [kg m^2/s]
+  double water_spread = 0;   ///< V times that of the particles [m^5]
   double heat_capacity = 0;  ///< [J/K]
   double heat_content = 0;   ///< [J]
   double heat_change = 0;    ///< what the step brings [J]

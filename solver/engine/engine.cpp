@@ -25,7 +25,7 @@ template <class Real>
 Step<Real> Engine<Real>::current_step() const {
   const double dx = geometry_.dx();
   const double inverse_d = scene_.grid.kernel == KernelOrder::quadratic ? 4 : 3;
-  return {static_cast<Real>(dt_), static_cast<Real>(dt_), static_cast<Real>(dx), static_cast<Real>(inverse_d / (dx * dx)), time_};
+  return {static_cast<Real>(dt_), static_cast<Real>(dt_), static_cast<Real>(dx), static_cast<Real>(inverse_d / (dx * dx))};
 }
 
 template <class Real>
