@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "analysis/claims/metric.h"
+#include "analysis/claims/volume_share.h"
 #include "solver/core/errors.h"
 
 namespace bake {
@@ -62,6 +63,12 @@ double temperature_at(const Results& run, const MetricPlace& at) {
   return temperature_of(run, run.frame_at(at.time_s), particle_at(run.frame(0), *at.point_m));
 }
 
+double temperature_lead(const Results& run, const MetricPlace& at) {
+  const FrameReader start = run.frame(0);
+  const int frame = run.frame_at(at.time_s);
+  return temperature_of(run, frame, particle_at(start, *at.from_m)) - temperature_of(run, frame, particle_at(start, *at.to_m));
+}
+
 /// Time of the first frame at which a particle has a temperature; infinite if it never has.
 double time_to_reach(const Results& run, const MetricPlace& at) {
   const auto particle = particle_at(run.frame(0), *at.point_m);
@@ -69,24 +76,6 @@ double time_to_reach(const Results& run, const MetricPlace& at) {
   for (std::size_t frame = 0; frame < times.size(); ++frame)
     if (temperature_of(run, static_cast<int>(frame), particle) >= *at.temperature_C) return times[frame];
   return k_infinity;
-}
-
-/// Share of the volume of all particles for which `counts(row)`.
-template <class Counts>
-double volume_share(const FrameReader& frame, Counts counts) {
-  const auto volumes = frame.column("volume");
-  double all = 0, counted = 0;
-  for (std::size_t row = 0; row < volumes.size(); ++row) {
-    all += static_cast<double>(volumes[row]);
-    if (counts(row)) counted += static_cast<double>(volumes[row]);
-  }
-  return all > 0 ? counted / all : std::nan("");
-}
-
-double heated_share(const Results& run, const MetricPlace& at) {
-  const FrameReader frame = run.frame(run.frame_at(at.time_s));
-  const auto peak = frame.column("peak_temperature");
-  return volume_share(frame, [&](std::size_t row) { return static_cast<double>(peak[row]) >= *at.temperature_C; });
 }
 
 /// The share of its water that each particle has lost since the start.
@@ -143,6 +132,33 @@ double outflow(const Results& run, const MetricPlace& at) {
   return volume_share(frame, [&](std::size_t row) { return distance_from(axis, position(positions, row)) > *at.radius_m; });
 }
 
+/// The distance from an upright axis that a share of the volume does not exceed. A whole body's rim would be one particle.
+double radius_of_share(const FrameReader& frame, const std::array<double, 2>& axis, double share) {
+  const auto positions = frame.positions();
+  const auto volumes = frame.column("volume");
+  std::vector<std::pair<double, double>> radius_and_volume;
+  double all = 0;
+  for (std::size_t row = 0; row < volumes.size(); ++row) {
+    radius_and_volume.emplace_back(distance_from(axis, position(positions, row)), volumes[row]);
+    all += static_cast<double>(volumes[row]);
+  }
+  std::sort(radius_and_volume.begin(), radius_and_volume.end());
+  double within = 0;
+  for (const auto& [radius, volume] : radius_and_volume)
+    if ((within += volume) >= share * all) return radius;
+  return std::nan("");
+}
+
+double diameter(const Results& run, const MetricPlace& at) {
+  constexpr double k_share = 0.99;
+  const auto axis = at.point_m ? std::array{(*at.point_m)[0], (*at.point_m)[1]} : axis_of(run);
+  return 2 * radius_of_share(run.frame(run.frame_at(at.time_s)), axis, k_share);
+}
+
+double height_over_diameter(const Results& run, const MetricPlace& at) {
+  return run.column("height_m")[static_cast<std::size_t>(run.frame_at(at.time_s))] / diameter(run, at);
+}
+
 /// The top within a radius of the axis: the highest particle of each ring of equal area.
 std::vector<std::array<double, 2>> top_profile(const Results& run, const MetricPlace& at) {
   constexpr std::size_t k_rings = 8;
@@ -176,6 +192,12 @@ double top_curvature(const Results& run, const MetricPlace& at) {
   return xx > 0 ? -2 * xz / xx : std::nan("");
 }
 
+/// Innermost and outermost ring of the same profile.
+double dome_rise(const Results& run, const MetricPlace& at) {
+  const auto top = top_profile(run, at);
+  return top.size() > 1 ? (top.front()[1] - top.back()[1]) / (2 * *at.radius_m) : std::nan("");
+}
+
 }  // namespace
 
 std::vector<Metric> frame_metrics() {
@@ -194,19 +216,19 @@ std::vector<Metric> frame_metrics() {
        nullptr,
        {"point_m"},
        {"time_s"}},
+      {"temperature_lead",
+       "K",
+       "temperature of the particle that started nearest to from_m, less that of the one nearest to to_m: surface and core",
+       temperature_lead,
+       nullptr,
+       {"from_m", "to_m"},
+       {"time_s"}},
       {"time_to_reach",
        "s",
        "time at which the particle that started nearest to point_m reaches temperature_C",
        time_to_reach,
        nullptr,
        {"point_m", "temperature_C"}},
-      {"heated_share",
-       "1",
-       "share of the volume that has been at temperature_C: gelatinised, for dough",
-       heated_share,
-       nullptr,
-       {"temperature_C"},
-       {"time_s"}},
       {"crust_thickness",
        "m",
        "mean thickness of the layer that has lost dried_share of its water: its volume over the area that touches air",
@@ -221,10 +243,31 @@ std::vector<Metric> frame_metrics() {
        nullptr,
        {"radius_m"},
        {"time_s"}},
+      {"diameter",
+       "m",
+       "twice the distance from the upright axis (through point_m, or the start's middle) within which 99 % of the volume is",
+       diameter,
+       nullptr,
+       {},
+       {"point_m", "time_s"}},
+      {"height_over_diameter",
+       "1",
+       "height over that diameter: what is flat has little",
+       height_over_diameter,
+       nullptr,
+       {},
+       {"point_m", "time_s"}},
       {"top_curvature",
        "1/m",
        "curvature of the top within radius_m of that axis: above 0 for a dome, below for a dent",
        top_curvature,
+       nullptr,
+       {"radius_m"},
+       {"time_s"}},
+      {"dome_rise",
+       "1",
+       "height of the top at that axis above the top just within radius_m of it, over twice radius_m",
+       dome_rise,
        nullptr,
        {"radius_m"},
        {"time_s"}},

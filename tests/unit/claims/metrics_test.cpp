@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "analysis/claims/metric.h"
 #include "solver/core/errors.h"
@@ -88,6 +89,16 @@ TEST_F(FrameMetrics, FindTemperaturesAndWhenTheyAreReached) {
   EXPECT_EQ(measure("time_to_reach", place), k_infinity);
 }
 
+TEST_F(FrameMetrics, TellHowMuchHotterTheSurfaceIs) {
+  frame(0, {{1, {0, 0, 0}, 20}, {2, {1, 0, 0}, 20}});
+  frame(1, {{2, {1, 0, 0}, 60}, {1, {0, 0, 0}, 45}});
+  frame(2, {{1, {0, 0, 0}, 95}, {2, {1, 0, 0}, 80}});
+  MetricPlace place = between({0.9, 0, 0}, {0.1, 0, 0});
+  EXPECT_EQ(measure("temperature_lead", place), -15);
+  place.time_s = 1;
+  EXPECT_EQ(measure("temperature_lead", place), 15);
+}
+
 TEST_F(FrameMetrics, ShareVolumesNotParticles) {
   frame(0, {{1, {-1, 0, 0}}, {2, {1, 0, 0}}});
   frame(2, {{1, {-1, 0, 0}, 20, 70, 1}, {2, {3, 0, 0}, 20, 90, 3}});
@@ -157,7 +168,100 @@ TEST_F(FrameMetrics, TellADomeFromADent) {
     frame(2, dome(kappa));
     // rings are 8 of equal area; in each the highest particle stands for its place: an eighth of the whole r^2 at most, and exact here
     EXPECT_NEAR(measure("top_curvature", place), kappa, 1e-4);
+    // rings hold no particle exactly at the axis or at the radius: the highest is within an eighth of r^2 of it
+    EXPECT_NEAR(measure("dome_rise", place), kappa * 0.9 * 0.9 / 2 / 1.8, std::abs(kappa) * 0.9 * 0.9 / 2 / 1.8 / 4);
   }
+}
+
+/// A disc off the origin of equally many particles per area, in equal layers, and one far away that is small.
+std::vector<Dot> disc(double radius, float volume_of_stray) {
+  std::vector<Dot> dots;
+  for (int i = -50; i <= 50; ++i)
+    for (int j = -50; j <= 50; ++j) {
+      const double x = radius * i / 50, y = radius * j / 50;
+      if (std::hypot(x, y) <= radius) dots.push_back({static_cast<std::int64_t>(dots.size()), {3 + x, 4 + y, 0}});
+    }
+  Dot stray{static_cast<std::int64_t>(dots.size()), {9, 4, 0}};
+  stray.volume = volume_of_stray;
+  dots.push_back(stray);
+  return dots;
+}
+
+TEST_F(FrameMetrics, MeasureADiameterWithoutItsStrays) {
+  frame(0, disc(0.5, 1e-3f));
+  frame(2, disc(0.8, 1e-3f));
+  MetricPlace place;
+  place.point_m = Vector3{3, 4, 7};  // its height does not matter
+  // 99 % of a disc's area are within sqrt(0.99) of its radius; the lattice is a fiftieth of that
+  EXPECT_NEAR(measure("diameter", place), 2 * 0.8 * std::sqrt(0.99), 0.01);
+  place.point_m.reset();
+  EXPECT_NEAR(measure("diameter", place), 2 * 0.8 * std::sqrt(0.99), 0.01) << "about the start's middle";
+  place.time_s = 0;
+  EXPECT_NEAR(measure("diameter", place), 2 * 0.5 * std::sqrt(0.99), 0.01);
+  frame(2, disc(0.8, 1e3f));
+  place.time_s = 2;
+  EXPECT_GT(measure("diameter", place), 10) << "a stray that is an eighth of the volume is none";
+}
+
+TEST_F(FrameMetrics, CompareHeightAndDiameter) {
+  std::ofstream(folder_ / "ledger.csv") << "time_s,height_m\n0,2\n1,1\n2,0.4\n";
+  frame(0, disc(0.5, 1e-3f));
+  frame(2, disc(0.8, 1e-3f));
+  EXPECT_NEAR(measure("height_over_diameter", {}), 0.4 / (1.6 * std::sqrt(0.99)), 0.003);
+}
+
+/// A bar of 5 x 5 particles across, from x = 0 to `length`, drawn out by `stretch` between 40 and 60 % of it and as much thinner there,
+/// and turned by degrees(share of its length). Particles of a bar have one volume.
+template <class Degrees>
+std::vector<Dot> bar(double length, double stretch, Degrees degrees) {
+  std::vector<Dot> dots;
+  for (int i = 0; i < 400; ++i)
+    for (int j = -2; j <= 2; ++j)
+      for (int k = -2; k <= 2; ++k) {
+        const double share = (i + 0.5) / 400, neck = std::clamp(share - 0.4, 0.0, 0.2), thin = share > 0.4 && share < 0.6 ? 1 / stretch : 1;
+        const double a = degrees(share) * std::numbers::pi / 180, y = 0.1 * j * std::sqrt(thin), z = 0.1 * k * std::sqrt(thin);
+        Dot dot{static_cast<std::int64_t>(dots.size()),
+                {length * (share + neck * (stretch - 1)), y * std::cos(a) - z * std::sin(a), y * std::sin(a) + z * std::cos(a)}};
+        dot.volume = static_cast<float>(0.25 * length / 400 / 25);  // 0.5 by 0.5 across
+        dots.push_back(dot);
+      }
+  return dots;
+}
+
+TEST_F(FrameMetrics, FindTheRadiusOfANeck) {
+  const auto straight = [](double) { return 0.0; };
+  frame(0, bar(2, 1, straight));
+  const double radius = 0.5 / std::sqrt(std::numbers::pi);
+  for (const double stretch : {1.0, 4.0}) {
+    auto dots = bar(2, stretch, straight);
+    std::reverse(dots.begin(), dots.end());
+    frame(2, dots);
+    // of 400 layers a twentieth holds 20 (of drawn ones 8) or one fewer: half of 1/20 of the radius (of 1/8)
+    EXPECT_NEAR(measure("neck_radius", {}) / radius * std::sqrt(stretch), 1, stretch == 1 ? 0.03 : 0.07) << stretch;
+  }
+  auto parted = bar(2, 1, straight);
+  for (Dot& dot : parted)
+    if (dot.at[0] > 1) dot.at[0] += 0.5;
+  frame(2, parted);
+  EXPECT_EQ(measure("neck_radius", {}), 0);
+}
+
+TEST_F(FrameMetrics, FindTheSteepestTwist) {
+  frame(0, bar(2, 1, [](double) { return 0.0; }));
+  // 20 degrees a tenth of the length, and twice as steep from 40 to 60 %: 400 degrees per length of 2 m
+  frame(2, bar(2, 3, [](double share) { return -100 + 200 * share + 200 * std::clamp(share - 0.4, 0.0, 0.2); }));
+  EXPECT_NEAR(measure("twist_gradient", {}), 400 / 2, 1) << "the outermost layers are half a layer from the ends";
+  MetricPlace place;
+  place.time_s = 0;
+  EXPECT_NEAR(measure("twist_gradient", place), 0, 1e-9);
+  frame(2, bar(2, 1, [](double share) { return share < 0.5 ? -90 : 89; }));
+  EXPECT_NEAR(measure("twist_gradient", {}), 179 / 0.1, 5) << "all of it in one place";
+}
+
+TEST_F(FrameMetrics, RefuseTheTwistOfWhatWasPoured) {
+  frame(0, {{1, {0, 0, 0}}, {2, {1, 1, 0}}});
+  frame(2, {{1, {0, 0, 0}}, {2, {1, 1, 0}}, {3, {1, 0, 0}}});
+  EXPECT_THROW(measure("twist_gradient", {}), InputError);
 }
 
 constexpr const char* k_fracture = R"({"mesh_volume_m3": 1, "frames": [
