@@ -28,7 +28,8 @@ struct MetricPlace {
     return std::tuple{
         Parameter{"from_m", &MetricPlace::from_m, "m", any_number, "position of one particle at the start"},
         Parameter{"to_m", &MetricPlace::to_m, "m", any_number, "position of the other particle at the start"},
-        Parameter{"point_m", &MetricPlace::point_m, "m", any_number, "position of the particle at the start, or a point of an upright axis"},
+        Parameter{"point_m", &MetricPlace::point_m, "m", any_number,
+                  "position of the particle at the start, or a point of an upright axis"},
         Parameter{"low_m", &MetricPlace::low_m, "m", any_number, "lower corner of a box"},
         Parameter{"high_m", &MetricPlace::high_m, "m", any_number, "upper corner of a box"},
         Parameter{"radius_m", &MetricPlace::radius_m, "m", positive,
