@@ -63,7 +63,7 @@ void add_compare_textbook_command(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<CompareArguments>();
   CLI::App& command = *app.add_subcommand("compare-textbook", "Run a scene beside the plain reference implementation, in double precision");
   command.add_option("scene", arguments->scene, "name (see `bake list`) or path of a .toml file")->required();
-  command.add_option("--steps", arguments->steps, "steps to take [100]")->type_name("N")->check(CLI::Range(1, 1'000'000'000));
+  command.add_option("--steps", arguments->steps, "steps to take [100]")->type_name("N")->transform(whole_number(1, 1'000'000'000));
   add_quality_option(command, arguments->quality);
   add_set_option(command, arguments->overrides);
   command.callback([arguments, &action] { action = [arguments] { return compare(*arguments); }; });

@@ -61,7 +61,7 @@ void add_figure_commands(CLI::App& app, Action& action) {
   figure_command.add_option("--size", arguments->options.size, "size of the pictures, instead of the view's")->type_name("WxH");
   figure_command.add_option("--samples", arguments->options.samples, "paths of light per pixel, instead of the view's")
       ->type_name("N")
-      ->check(CLI::Range(1, 1'000'000));
+      ->transform(whole_number(1, 1'000'000));
   figure_command.callback([arguments, &action] { action = [arguments] { return figure(*arguments, "figure"); }; });
 
   CLI::App& table_command = *app.add_subcommand("table", "Make a table of the paper and check its claims");

@@ -63,7 +63,7 @@ void add_run_command(CLI::App& app, Action& action) {
   auto* end = command.add_option("--end", arguments->end_s, "simulated time at which the run ends, instead of the scene's");
   end->type_name("SECONDS")->check(CLI::Validator(refuse_unless_positive, ""));
   auto* frames = command.add_option("--frames", arguments->options.frames, "end after this many frames");
-  frames->type_name("N")->check(CLI::Range(1, 1'000'000'000))->excludes(end);
+  frames->type_name("N")->transform(whole_number(1, 1'000'000'000))->excludes(end);
   add_threads_option(command, arguments->options.threads);
   command.add_option("--precision", arguments->precision, "floating-point numbers, instead of the scene's")
       ->check(CLI::IsMember({"single", "double"}));

@@ -33,6 +33,7 @@ debian_packages() {
   export LD_LIBRARY_PATH="$libraries/$of_machine"
   LD_LIBRARY_PATH+=":$libraries/$of_machine/blas:$libraries/$of_machine/lapack:$folder/root/lib/$of_machine:$libraries"
   export PATH="$folder/root/usr/bin:$PATH" PYTHONPATH="$folder/root/usr/lib/python3/dist-packages"
+  if [[ -d $libraries/$of_machine/ossl-modules ]]; then export OPENSSL_MODULES="$libraries/$of_machine/ossl-modules"; fi
   python=/usr/bin/python3  # Debian's own, which the packages are made for
   [[ -x $python ]] || python=$folder/root/usr/bin/python3
 }

@@ -15,6 +15,7 @@ print("dt", type(config["dt"]).__name__, 2 * config["dt"], file=sys.stderr)
 rule all:
     input: []
 END
+HOME=$folder "$python" -m snakemake --version >/dev/null 2>&1 || cannot_try "snakemake does not start"
 both() {
   HOME=$folder "$python" -m snakemake --dry-run --cores 1 2>&1 | grep '^dt'
   HOME=$folder "$python" -m snakemake --dry-run --cores 1 --config dt=1e-5 2>&1 | grep '^dt'

@@ -17,20 +17,24 @@ double crack_length(const Fracture& fracture, const MetricPlace& at) {
   return sum;
 }
 
-bool inside(const Vector3& point, const Vector3& low, const Vector3& high) {
+/// Whether the point is in the box of the place; the box has no end where none is given.
+bool inside(const Vector3& point, const MetricPlace& at) {
   for (std::size_t axis = 0; axis < 3; ++axis)
-    if (point[axis] < low[axis] || point[axis] > high[axis]) return false;
+    if ((at.low_m && point[axis] < (*at.low_m)[axis]) || (at.high_m && point[axis] > (*at.high_m)[axis])) return false;
   return true;
+}
+
+double crack_area(const Fracture& fracture, const MetricPlace& at) {
+  double within = 0;
+  for (const Fracture::Crack& crack : fracture.at(at.time_s).cracks)
+    if (inside(crack.centre_m, at)) within += crack.area_m2;
+  return within;
 }
 
 /// No number where there is no crack.
 double crack_share(const Fracture& fracture, const MetricPlace& at) {
-  double all = 0, within = 0;
-  for (const Fracture::Crack& crack : fracture.at(at.time_s).cracks) {
-    all += crack.area_m2;
-    if (inside(crack.centre_m, *at.low_m, *at.high_m)) within += crack.area_m2;
-  }
-  return all > 0 ? within / all : std::nan("");
+  const double all = fracture.at(at.time_s).crack_area_m2;
+  return all > 0 ? crack_area(fracture, at) / all : std::nan("");
 }
 
 double open_pieces(const Fracture& fracture, const MetricPlace& at) {
@@ -70,7 +74,13 @@ std::vector<Metric> surface_metrics() {
   using P = const MetricPlace&;
   return {
       {"cracks", "1", "number of cracks", nullptr, [](F f, P at) { return as_number(f.at(at.time_s).cracks.size()); }, {}, {"time_s"}},
-      {"crack_area", "m^2", "area of all cracks", nullptr, [](F f, P at) { return f.at(at.time_s).crack_area_m2; }, {}, {"time_s"}},
+      {"crack_area",
+       "m^2",
+       "area of the cracks whose centres are in the box of the reference mesh; of all if there is no box",
+       nullptr,
+       crack_area,
+       {},
+       {"low_m", "high_m", "time_s"}},
       {"crack_length", "m", "length of all cracks", nullptr, crack_length, {}, {"time_s"}},
       {"crack_share",
        "1",

@@ -12,7 +12,7 @@
 
 namespace bake::render {
 
-using cli::Action, cli::k_success;
+using cli::Action, cli::add_threads_option, cli::k_success, cli::whole_number;
 
 void add_picture_command(CLI::App& app, Action& action);
 void add_slice_command(CLI::App& app, Action& action);
@@ -39,7 +39,6 @@ struct PictureOptions {
 
 /// `threads`, or the number of the machine's threads if it is 0.
 int thread_count(int threads);
-void add_threads_option(CLI::App& command, int& threads);
 
 /// Throws InputError unless the file's name ends in `ending`.
 void check_ending(const std::filesystem::path& file, const char* ending);

@@ -134,7 +134,7 @@ void add_movie_command(CLI::App& app, Action& action) {
   options->add_to(*command);
   command->add_option("folder", options->folder, "results of a run, or a folder of surfaces")->required();
   command->add_option("--out", options->out, "folder of the pictures")->required();
-  command->add_option("--every", options->every, "take every n-th frame, and the last [1]")->check(CLI::Range(1, 1000000));
+  command->add_option("--every", options->every, "take every n-th frame, and the last [1]")->transform(whole_number(1, 1000000));
   command->add_option("--rate", options->rate, "pictures per second of the mp4 [24]")->check(CLI::PositiveNumber);
   command->callback([&action, options] { action = [options] { return make_movie(*options); }; });
 }

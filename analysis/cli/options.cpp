@@ -23,10 +23,6 @@ int pixels_in(const std::string& size, std::string_view digits) {
 
 int thread_count(int threads) { return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
 
-void add_threads_option(CLI::App& command, int& threads) {
-  command.add_option("--threads", threads, "threads; the result does not depend on them [all of the machine]")->check(CLI::Range(1, 1024));
-}
-
 void check_ending(const std::filesystem::path& file, const char* ending) {
   if (file.extension() != ending)
     throw InputError(fmt::format("--out: found {}, allowed: a name that ends in {}", quotable_path(file), ending));
@@ -40,7 +36,7 @@ void PictureOptions::add_to(CLI::App& command) {
       ->allow_extra_args(false);
   command.add_option("--size", size, "WIDTHxHEIGHT in pixels instead of the view's");
   command.add_option("--samples", samples, "paths of light per pixel instead of the view's (slices need none)")
-      ->check(CLI::Range(1, 1000000));
+      ->transform(whole_number(1, 1000000));
   add_threads_option(command, threads);
 }
 

@@ -102,7 +102,7 @@ void add_montage_command(CLI::App& app, Action& action) {
   command->add_option("pictures", options->pictures, "PNG files")->required();
   command->add_option("--out", options->out, "the montage, a PNG file")->required();
   command->add_option("--label", options->labels, "text below a picture; one for each, in order")->allow_extra_args(false);
-  command->add_option("--columns", options->columns, "pictures in a row [all]")->check(CLI::Range(1, 1000));
+  command->add_option("--columns", options->columns, "pictures in a row [all]")->transform(whole_number(1, 1000));
   command->callback([&action, options] {
     action = [options] {
       check_ending(options->out, ".png");

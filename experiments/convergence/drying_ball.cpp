@@ -92,7 +92,7 @@ std::vector<Errors> drying_ball(bool quick) {
   water.why =
       "between first and second order: the layer between the surface and the nodes resists as the dough of that depth would, once drying "
       "has "
-      "gone so deep; until then as the layer that is dry, as if its water had not fallen yet";
+      "gone so deep; until then as that of a half-space which dries, as if the nodes' own water had not fallen yet";
   heat.figure = Errors::Figure::largest_error;
   heat.high = 0.02;
   heat.why = "heat takes the resistance of its layer along; what is left is the heat of the water that left";

@@ -15,11 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "figure 3", "table 2".
+/// "figure 3", "table 2", "experiment 1".
 bool is_number(const std::string& text) {
   const auto space = text.find(' ');
   const std::string kind = text.substr(0, space), digits = space == std::string::npos ? "" : text.substr(space + 1);
-  return (kind == "figure" || kind == "table") && !digits.empty() && digits.find_first_not_of("0123456789") == std::string::npos;
+  return (kind == "figure" || kind == "table" || kind == "experiment") && !digits.empty() &&
+         digits.find_first_not_of("0123456789") == std::string::npos;
 }
 
 void check_scenes(const SceneEntry& entry, const Items& items, const Item& item) {
@@ -29,7 +30,8 @@ void check_scenes(const SceneEntry& entry, const Items& items, const Item& item)
 }
 
 void check_item(const SceneEntry& entry, const Items& items, const Item& item) {
-  if (!is_number(item.number)) entry.complain_at("number", fmt::format("found '{}', allowed: figure N or table N", item.number));
+  if (!is_number(item.number))
+    entry.complain_at("number", fmt::format("found '{}', allowed: figure N, table N or experiment N", item.number));
   for (const Item& other : items.items) {
     if (other.number == item.number) entry.complain_at("number", fmt::format("found '{}' again", item.number));
     if (other.name == item.name) entry.complain_at("name", fmt::format("found '{}' again", item.name));

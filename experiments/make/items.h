@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads paper/items.toml, which lists every figure and table of the paper and the experiment that makes it.
+// Reads paper/items.toml, which lists every figure and table of the paper, and experiments that explain them, with the folder that makes
+// each.
 #pragma once
 
 #include <filesystem>
@@ -25,7 +26,8 @@ struct Item {
   ItemStatus status{};
   static constexpr auto parameters() {
     return std::tuple{
-        Parameter{"number", &Item::number, "", any_number, "\"figure 15\" or \"table 2\"", Presence::required},
+        Parameter{"number", &Item::number, "", any_number,
+                  "\"figure 15\", \"table 2\" or, of an experiment that explains one of them, \"experiment 1\"", Presence::required},
         Parameter{"name", &Item::name, "", any_number, "one word, also in the name of the folder of its results", Presence::required},
         Parameter{"shows", &Item::shows, "", any_number, "what the paper shows, in one line", Presence::required},
         Parameter{"status", &Item::status, "", any_number, "whether it is done", Presence::required},

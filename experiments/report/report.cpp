@@ -41,7 +41,7 @@ Html overview(const std::vector<ReportedItem>& items, const ReportPage& report) 
   for (const ReportedItem& one : items)
     rows.push_back({element("a", text(one.item->number), fmt::format("href=\"#{}\"", anchor(*one.item))), text(one.item->shows),
                     badge(one.verdict())});
-  return element("section", join({element("h2", text("The paper's figures and tables")), counts(report),
+  return element("section", join({element("h2", text("The paper's figures and tables, and experiments beside them")), counts(report),
                                   table({"item", "what it shows", "verdict"}, rows)}));
 }
 

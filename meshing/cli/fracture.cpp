@@ -22,8 +22,11 @@ void add_fracture_command(CLI::App& app, Action& action) {
                   "simulated time at which edges have their unstretched length: for a loaf that is torn, the end of baking [0]")
       ->type_name("SECONDS");
   auto* frames = command.add_option("--frames", options->frames, "which frames, separated by commas [the last]");
-  frames->type_name("N,N,...")->delimiter(',')->check(CLI::Range(0, 1'000'000'000));
-  command.add_option("--every", options->every, "every N-th frame")->type_name("N")->check(CLI::Range(1, 1'000'000'000))->excludes(frames);
+  frames->type_name("N,N,...")->delimiter(',')->transform(whole_number(0, 1'000'000'000));
+  command.add_option("--every", options->every, "every N-th frame")
+      ->type_name("N")
+      ->transform(whole_number(1, 1'000'000'000))
+      ->excludes(frames);
   command.add_option("--stretch", options->stretch, "an edge breaks beyond this many times its unstretched length, and ... [2]")
       ->type_name("S")
       ->check(CLI::Range(1.0, 1e6));
@@ -33,7 +36,7 @@ void add_fracture_command(CLI::App& app, Action& action) {
       ->check(CLI::Range(0.0, 1e6));
   command.add_option("--first-particle", options->first_particle, "identity of the particle that is vertex 0 [0]")
       ->type_name("N")
-      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40));
+      ->transform(whole_number(0, std::int64_t{1} << 40));
   command.callback([options, &action] {
     action = [options] {
       Meter meter("fracture");

@@ -14,7 +14,7 @@ void SourceArguments::add_to(CLI::App& command) {
       ->required();
   add_quality_option(command, quality);
   add_set_option(command, overrides);
-  command.add_option("--body", body, "which body of the scene [0]")->type_name("N")->check(CLI::Range(0, 1'000'000));
+  command.add_option("--body", body, "which body of the scene [0]")->type_name("N")->transform(whole_number(0, 1'000'000));
 }
 
 Source find_source(const SourceArguments& arguments) {

@@ -63,7 +63,7 @@ void add_tets_command(CLI::App& app, Action& action) {
       .add_option("--vertices", arguments->vertices,
                   "number of vertices, exact to 2 % [the number of the scene's particles at its quality]")
       ->type_name("N")
-      ->check(CLI::Range(4, 100'000'000));
+      ->transform(whole_number(4, 100'000'000));
   command
       .add_option(
           "--method", arguments->method,

@@ -247,8 +247,8 @@ struct Water : Effect {
       budget.book(booked::latent_heat, latent);
     }
     const auto by_water = k.published ? moved : min(moved, none);
-    node.out(channel::water_loss) = filled & (m > 0) ? by_water / m : none;
-    node.out(channel::water_gain) = filled & !k.published ? max(moved, none) / capacity : none;
+    node.out(channel::water_loss) = (filled & (m > 0)) ? by_water / m : none;
+    node.out(channel::water_gain) = (filled & !k.published) ? max(moved, none) / capacity : none;
     node.out(channel::saturation) = filled ? (m + moved) / capacity : none;
   }
 

@@ -62,10 +62,13 @@ class BlockKernelOf final : public BlockKernel<Real> {
       if (above) prefetch_part(work, *above, t - block.first_tile, block.tiles);
       report.alive = k_lane_numbers < lanes<Real>(static_cast<Real>(count)) ? lanes<Real>(1) : V{};
       V* columns = work.store->tile(at);
-      for (int c = 0; c < work.store->columns; ++c) __builtin_prefetch(columns + work.store->columns + c, 1);
+      const int lines = work.store->columns;
+      const auto prefetch_next_tile = [&](int p) {  // a few lines at a time: all at once they wait for each other
+        for (int c = lines * p / W; c < lines * (p + 1) / W; ++c) __builtin_prefetch(columns + lines + c, 1);
+      };
       V x[3];
       load_position(columns, x);
-      FromTile::particles(scratch.gather_tile.data(), S(x), 1 / work.step.dx, gathered);
+      FromTile::particles(scratch.gather_tile.data(), S(x), 1 / work.step.dx, gathered, prefetch_next_tile);
       V* velocity = work.velocity ? reinterpret_cast<V*>(work.velocity) + at * 3 : nullptr;
       work.physics->advance(columns, work.store->tiles[at].material, gathered, RG, scattered, RS, velocity, work.step, report);
 
@@ -125,7 +128,7 @@ class BlockKernelOf final : public BlockKernel<Real> {
       load_position(work.store->tile(at), x);
       const S stencil(x);
       alignas(64) V gathered[4 * RG], scattered[4 * RS] = {};
-      FromTile::particles(scratch.gather_tile.data(), stencil, 1 / work.step.dx, gathered);
+      FromTile::particles(scratch.gather_tile.data(), stencil, 1 / work.step.dx, gathered, [](int) {});
       const V kappa_V = work.physics->conductance(work.store->tile(at), work.store->tiles[at].material);
       for (int axis = 0; axis < 3; ++axis)
         scattered[(1 + axis) * RS] = kappa_V * (work.step.inverse_d * work.step.dx) * gathered[(1 + axis) * RG];

@@ -132,7 +132,8 @@ void Engine<Real>::pass(double next_dt, bool sample) {
   std::vector<Migrant<Real>> migrants;
   for (auto& r : results_)
     for (auto& e : r.migrants) migrants.push_back(std::move(e));
-  if (!migrants.empty()) migrate_particles(migrants);
+  const bool is_stale = physics_->moves && counters_.steps - last_sorted_ >= k_most_steps_unsorted;
+  if (!migrants.empty() || is_stale) migrate_particles(migrants);
 }
 
 template <class Real>

@@ -124,7 +124,12 @@ class Engine {
   std::vector<NodeSums<Real>> sums_;               ///< of the nodes, W at a time
   std::vector<char> beside_collider_;              ///< by slot: contact follows when all nodes are known
 
+  /// The longest time without sorting [steps]. Particles of a cell that stand together share what the scatter loads and stores; moving
+  /// about, they lose each other long before one of them leaves its block and so has all of them sorted.
+  static constexpr std::int64_t k_most_steps_unsorted = 100;
+
   double time_ = 0, dt_ = 0;
+  std::int64_t last_sorted_ = 0;  ///< step of the last sorting
   std::int64_t next_identity_ = 0;
   std::size_t particle_count_ = 0;
   Bounds bounds_{};

@@ -26,8 +26,8 @@ void Engine<Real>::write(CheckpointWriter& out) const {
   out.add("highest", std::span<const double>(highest_));
   out.add("retired", std::span<const double>(retired_));
   out.add("emitted", std::span<const double>(emitted_));
-  const std::int64_t counts[] = {counters_.steps,   counters_.particle_steps, counters_.orderings,
-                                 counters_.clamped, counters_.retired,        next_identity_};
+  const std::int64_t counts[] = {counters_.steps,   counters_.particle_steps, counters_.orderings, counters_.clamped,
+                                 counters_.retired, next_identity_,           last_sorted_};
   out.add("counts", std::span<const std::int64_t>(counts));
 }
 
@@ -45,7 +45,7 @@ void Engine<Real>::read(const CheckpointReader& in) {
   };
   expect(blocks.size() % 12 == 0 && tiles.size() % 2 == 0 && numbers.size() == 2 && booked.size() == booked_.size() &&
          totals.size() == totals_.size() && retired.size() == totals.size() && emitted.size() == totals.size() &&
-         bounds.size() == bounds_.size() && highest.size() == highest_.size() && counts.size() == 6);
+         bounds.size() == bounds_.size() && highest.size() == highest_.size() && counts.size() == 7);
   store_.blocks.resize(blocks.size() / 12);
   for (std::size_t i = 0; i < store_.blocks.size(); ++i) {
     const std::int32_t* b = &blocks[12 * i];
@@ -91,6 +91,7 @@ void Engine<Real>::read(const CheckpointReader& in) {
   std::copy(highest.begin(), highest.end(), highest_.begin());
   counters_ = {counts[0], counts[1], counts[2], counts[3], counts[4]};
   next_identity_ = counts[5];
+  last_sorted_ = counts[6];
 }
 
 template void Engine<float>::write(CheckpointWriter&) const;

@@ -136,6 +136,7 @@ std::int32_t Engine<Real>::home_of(const BlockIndex& block) const {
 template <class Real>
 void Engine<Real>::after_sorting() {
   ++counters_.orderings;
+  last_sorted_ = counters_.steps;
   particle_count_ = store_.particles();
   active_.surround(store_.blocks, geometry_);
   for (auto& columns : colours_.columns) columns.clear();
@@ -168,7 +169,7 @@ void Engine<Real>::remap_blocks(const ActiveBlocks& before) {
   scattered_.swap(spare_rows_);
 }
 
-/// Particles that drifted out of their blocks: retire or order them, then scatter what they owe.
+/// Retires or sorts particles that drifted out of their blocks, and all others with them, then scatters what the former owe.
 template <class Real>
 void Engine<Real>::migrate_particles(std::vector<Migrant<Real>>& migrants) {
   const double began = steady_seconds();

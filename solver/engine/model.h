@@ -143,15 +143,22 @@ struct Model<Real, Effects...>::FrameColumns {
   void sampled(F) {}  // no column of the store: whoever samples it writes it
   template <class F>
   void stored(F) {
-    model.frame_columns.push_back({F::name, F::unit, [](const V* columns, int lane, int) { return Shown{columns, lane}[F{}]; }});
+    add(F::name, F::unit, [](const Shown& p, int) { return p[F{}]; });
   }
   /// `maker(material)` gives the function of a particle.
   template <class Maker>
   void made(const char* name, const char* unit, const char*, Maker maker) {
     std::vector<decltype(maker(model.described_.front()))> of;
     for (const Material& material : model.described_) of.push_back(maker(material));
-    model.frame_columns.push_back({name, unit, [of](const V* columns, int lane, int material) {
-                                     return of[static_cast<std::size_t>(material)](Shown{columns, lane});
+    add(name, unit, [of](const Shown& p, int material) { return of[static_cast<std::size_t>(material)](p); });
+  }
+
+ private:
+  template <class ValueOf>
+  void add(const char* name, const char* unit, ValueOf value_of) {
+    model.frame_columns.push_back({name, unit, [value_of](const V* columns, int material, double* values) {
+                                     for (int lane = 0; lane < k_width<Real>; ++lane)
+                                       values[lane] = value_of(Shown{columns, lane}, material);
                                    }});
   }
 };

@@ -115,10 +115,10 @@ class Physics {
   };
   std::vector<Quantity> columns;  ///< stored per particle, position and identity first
   std::vector<Quantity> booked, totals, highest, bounds;
-  /// A derived or stored number of a particle, as frames show it.
+  /// A derived or stored number of particles, as frames show it.
   struct FrameColumn {
     std::string name, unit;
-    std::function<double(const V* columns, int lane, int material)> value;
+    std::function<void(const V* columns, int material, double* values)> values;  ///< of a tile's W particles
   };
   std::vector<FrameColumn> frame_columns;
   /// First column of a field, -1 if no effect has it.

@@ -31,10 +31,15 @@ class Gather {
 
   /// Values and gradients of W particles, as lanes: values, d/dx, d/dy, d/dz, RG lanes each.
   /// The nodes give sum w n and sum w o n with their whole offsets o; the gradient is D^-1 (sum w o n - f sum w n).
-  BAKE_INLINE static void particles(const Real* tile, const S& stencil, Real per_dx, V* gathered) {
+  /// `meanwhile(p)` is called after each particle p, to prefetch.
+  template <class Meanwhile>
+  BAKE_INLINE static void particles(const Real* tile, const S& stencil, Real per_dx, V* gathered, Meanwhile meanwhile) {
     const AxisWeights weights(stencil);
     alignas(64) Real rows[W][4 * RG];
-    for (int p = 0; p < W; ++p) one_particle(tile + weights.node[p], weights, p, rows[p]);
+    for (int p = 0; p < W; ++p) {
+      one_particle(tile + weights.node[p], weights, p, rows[p]);
+      meanwhile(p);
+    }
     rows_to_lanes<4 * RG>(rows[0], gathered);
     const Real scale = Kernel<order>::inverse_d * per_dx;
     for (int axis = 0; axis < 3; ++axis)

@@ -32,9 +32,7 @@ void BackgroundWriter::finish() {
 }
 
 void BackgroundWriter::wait_for_at_most(std::size_t jobs, std::unique_lock<std::mutex>& lock) {
-  owner_waits_ = jobs_.size() > jobs;
   changed_.wait(lock, [&] { return jobs_.size() <= jobs; });
-  owner_waits_ = false;
   if (failure_) std::rethrow_exception(failure_);
 }
 

@@ -2,7 +2,6 @@
 // Files that a thread of their own writes while the solver goes on.
 #pragma once
 
-#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <exception>
@@ -28,8 +27,6 @@ class BackgroundWriter {
   void check();
   /// Waits until all jobs are done.
   void finish();
-  /// Whether the owner waits in put() or finish(). Any thread may ask.
-  bool owner_waits() const { return owner_waits_; }
 
  private:
   static constexpr std::size_t k_most_jobs = 2;
@@ -43,7 +40,6 @@ class BackgroundWriter {
   std::deque<std::function<void()>> jobs_;  ///< the first one is being done
   std::exception_ptr failure_;
   bool ends_ = false;
-  std::atomic<bool> owner_waits_ = false;
   std::thread thread_;  ///< last, because it uses all of the others
 };
 

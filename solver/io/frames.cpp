@@ -32,41 +32,55 @@ void check_lengths(const FrameData& frame) {
 }
 
 /// Writes the cells as VTK requires them: a single one, made of all particles.
-void write_cell(Hdf5Writer& out, std::size_t particles) {
-  const auto count = static_cast<std::int64_t>(particles);
-  std::vector<std::int64_t> connectivity(particles);
-  std::iota(connectivity.begin(), connectivity.end(), std::int64_t{0});
+void write_cell(Hdf5Writer& out, const PackedFrame& frame) {
+  const auto count = static_cast<std::int64_t>(frame.particles);
   const auto write = [&](const char* name, std::span<const std::int64_t> values) {
     out.array<std::int64_t>(std::string("VTKHDF/") + name, values, Packing::shuffle_gzip);
   };
   write("NumberOfPoints", std::array{count});
   write("NumberOfCells", std::array{std::int64_t{1}});
   write("NumberOfConnectivityIds", std::array{count});
-  write("Connectivity", connectivity);
+  out.packed("VTKHDF/Connectivity", frame.connectivity);
   write("Offsets", std::array{std::int64_t{0}, count});
   out.array<std::uint8_t>("VTKHDF/Types", std::array{k_poly_vertex});
 }
 
-void write_column(Hdf5Writer& out, const FrameColumn& column) {
-  std::visit([&](const auto& values) { write_vtk_field(out, column.name, column.unit, std::span(values), column.components); },
-             column.values);
+ArrayView view(const FrameColumn& column) {
+  const auto of = [&]<class T>(const std::vector<T>& values) {
+    return column.components == 1 ? array_view<T>(values) : table_view<T>(values, column.components);
+  };
+  return std::visit(of, column.values);
 }
 
 }  // namespace
 
+PackedFrame pack_frame(double time_s, const FrameData& frame) {
+  check_lengths(frame);
+  std::vector<std::int64_t> connectivity(frame.positions.size() / 3);
+  std::iota(connectivity.begin(), connectivity.end(), std::int64_t{0});
+  std::vector<ArrayView> arrays{table_view<float>(frame.positions, 3), array_view<std::int64_t>(connectivity)};
+  for (const FrameColumn& column : frame.columns) arrays.push_back(view(column));
+  std::vector<PackedArray> packed = pack(arrays);
+  PackedFrame all{time_s, connectivity.size(), std::move(packed[0]), std::move(packed[1]), {}};
+  for (std::size_t i = 0; i < frame.columns.size(); ++i)
+    all.columns.push_back({frame.columns[i].name, frame.columns[i].unit, std::move(packed[2 + i])});
+  return all;
+}
+
 std::string frame_name(int frame) { return fmt::format("{:04}.hdf", frame); }
 
-void write_frame(const std::filesystem::path& path, double time_s, const FrameData& frame) {
-  check_lengths(frame);
+void write_frame(const std::filesystem::path& path, const PackedFrame& frame) {
   AtomicFile file(path);
   Hdf5Writer out(file);
-  write_vtk_head(out, time_s);
-  write_vtk_points(out, std::span(frame.positions));
-  write_cell(out, frame.positions.size() / 3);
-  for (const auto& column : frame.columns) write_column(out, column);
+  write_vtk_head(out, frame.time_s);
+  write_vtk_points(out, frame.positions);
+  write_cell(out, frame);
+  for (const PackedFrame::Column& column : frame.columns) write_vtk_field(out, column.name, column.unit, column.values);
   out.close();
   file.commit();
 }
+
+void write_frame(const std::filesystem::path& path, double time_s, const FrameData& frame) { write_frame(path, pack_frame(time_s, frame)); }
 
 FrameReader::FrameReader(const std::filesystem::path& path) : file_(path) {
   if (!file_.has("VTKHDF/Points") || !file_.has_attribute("VTKHDF", "time_s"))

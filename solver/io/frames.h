@@ -24,17 +24,31 @@ struct FrameColumn {
   std::size_t components = 1;
 };
 
-/// It owns its numbers, so that it can be written while the particles go on.
 struct FrameData {
   std::vector<float> positions;  ///< x, y, z of each particle [m]; may be empty
   std::vector<FrameColumn> columns;
 };
 
+/// A frame ready to be written. Making it takes most of the time that a frame costs, and needs no file.
+struct PackedFrame {
+  struct Column {
+    std::string name, unit;
+    PackedArray values;
+  };
+  double time_s;
+  std::size_t particles;
+  PackedArray positions, connectivity;
+  std::vector<Column> columns;
+};
+
+/// Packs a frame with lossless compression, in parallel. Throws std::invalid_argument if a column's length is not components x particles.
+PackedFrame pack_frame(double time_s, const FrameData& frame);
+
 /// File name of a frame: 42 -> "0042.hdf". (ParaView recognises the format by this ending.)
 std::string frame_name(int frame);
 
-/// Writes one frame, completely or not at all, with lossless compression. Throws OutputError, and
-/// std::invalid_argument if a column's length is not components x particles.
+/// Writes one frame, completely or not at all. Throws OutputError.
+void write_frame(const std::filesystem::path& path, const PackedFrame& frame);
 void write_frame(const std::filesystem::path& path, double time_s, const FrameData& frame);
 
 /// A frame that is read. Its particles have the order of the file, which differs from frame to frame: `rows_by_identity` finds a particle.

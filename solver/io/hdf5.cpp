@@ -73,7 +73,7 @@ std::vector<std::byte> stored_and_deflated(std::span<const std::byte> bytes, std
 
 /// A chunk as HDF5's filters would store it: shuffled (the first bytes of all numbers, then the second ones, and so on) and deflated, but
 /// for the leading planes of bytes that look like noise, as the low bytes of a mantissa do. Rows beyond the end of the array are zeros.
-std::vector<std::byte> packed(const std::byte* values, std::size_t bytes, std::size_t chunk_bytes, std::size_t number_bytes) {
+std::vector<std::byte> packed_chunk(const std::byte* values, std::size_t bytes, std::size_t chunk_bytes, std::size_t number_bytes) {
   const std::size_t numbers = chunk_bytes / number_bytes;
   std::vector<std::byte> shuffled(chunk_bytes);
   for (std::size_t i = 0; i < bytes / number_bytes; ++i)
@@ -131,11 +131,34 @@ ElementType kind_of(hid_t type) {
   return kind == H5T_FLOAT ? other_real : kind == H5T_INTEGER ? other_whole : none;
 }
 
+hsize_t count(const std::vector<hsize_t>& shape) { return std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>()); }
+
 std::string in_words(const std::vector<std::size_t>& shape) { return fmt::format("[{}]", fmt::join(shape, ", ")); }
 
 }  // namespace
 
 // ---------------------------------------------------------------------------------------------------------------- writing
+
+std::vector<PackedArray> pack(const std::vector<ArrayView>& arrays) {
+  std::vector<PackedArray> all;
+  std::vector<std::pair<std::size_t, std::size_t>> work;  // array, chunk
+  for (const ArrayView& array : arrays) {
+    const hsize_t rows = count(array.shape) > 0 ? array.shape[0] : 0, chunk_rows = std::min(rows, k_chunk_rows);
+    const std::size_t chunks = rows > 0 ? (rows + chunk_rows - 1) / chunk_rows : 0;
+    for (std::size_t c = 0; c < chunks; ++c) work.push_back({all.size(), c});
+    all.push_back({array.type, array.shape, std::vector<std::vector<std::byte>>(chunks), chunk_rows});
+  }
+#pragma omp parallel for schedule(dynamic, 1) if (work.size() > 1)
+  for (std::size_t i = 0; i < work.size(); ++i) {
+    const auto [a, c] = work[i];
+    const ArrayView& array = arrays[a];
+    const std::size_t row_bytes = array.number_bytes * count(array.shape) / array.shape[0];
+    const hsize_t chunk_rows = all[a].chunk_rows, first = c * chunk_rows, rows = std::min(chunk_rows, array.shape[0] - first);
+    all[a].chunks[c] = packed_chunk(static_cast<const std::byte*>(array.values) + first * row_bytes, rows * row_bytes,
+                                    chunk_rows * row_bytes, array.number_bytes);
+  }
+  return all;
+}
 
 Hdf5Writer::Hdf5Writer(AtomicFile& file, std::size_t heading_bytes) : target_(&file) {
   silence_hdf5();
@@ -162,41 +185,32 @@ void Hdf5Writer::group(const std::string& name) {
   checked(H5Gcreate2(file_, name.c_str(), make_groups_, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, name);
 }
 
-void Hdf5Writer::write(const std::string& name, ElementType type, const void* values, const std::vector<hsize_t>& shape, Packing packing) {
-  const auto count = std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>());
+Hdf5Handle Hdf5Writer::new_dataset(const std::string& name, ElementType type, const std::vector<hsize_t>& shape, hsize_t chunk_rows) const {
   const auto space = checked(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, name);
   const auto creation = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
   check(H5Pset_obj_track_times(creation, false), name);
-  const bool packs = packing == Packing::shuffle_gzip && count > 0;
-  auto chunk = shape;
-  if (packs) {
-    chunk[0] = std::min(chunk[0], k_chunk_rows);
+  if (chunk_rows > 0) {
+    auto chunk = shape;
+    chunk[0] = chunk_rows;
     check(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), name);
     check(H5Pset_shuffle(creation), name);
     check(H5Pset_deflate(creation, 1), name);
   }
-  const auto data = checked(H5Dcreate2(file_, name.c_str(), native_type(type), space, make_groups_, creation, H5P_DEFAULT), H5Dclose, name);
-  if (packs)
-    write_packed(data, name, H5Tget_size(native_type(type)), static_cast<const std::byte*>(values), shape, chunk[0]);
-  else if (count > 0)
-    check(H5Dwrite(data, native_type(type), H5S_ALL, H5S_ALL, H5P_DEFAULT, values), name);
+  return checked(H5Dcreate2(file_, name.c_str(), native_type(type), space, make_groups_, creation, H5P_DEFAULT), H5Dclose, name);
 }
 
-/// Compresses the chunks here, in parallel: HDF5's own filters would take longer than the steps between two frames.
-void Hdf5Writer::write_packed(hid_t data, const std::string& name, std::size_t number_bytes, const std::byte* values,
-                              const std::vector<hsize_t>& shape, hsize_t chunk_rows) {
-  const std::size_t row_bytes = std::accumulate(shape.begin() + 1, shape.end(), number_bytes, std::multiplies<>());
-  const auto chunks = static_cast<std::int64_t>((shape[0] + chunk_rows - 1) / chunk_rows);
-  std::vector<std::vector<std::byte>> contents(static_cast<std::size_t>(chunks));
-#pragma omp parallel for schedule(dynamic, 1) if (chunks > 1)
-  for (std::int64_t c = 0; c < chunks; ++c) {
-    const hsize_t first = static_cast<hsize_t>(c) * chunk_rows, rows = std::min(chunk_rows, shape[0] - first);
-    contents[static_cast<std::size_t>(c)] = packed(values + first * row_bytes, rows * row_bytes, chunk_rows * row_bytes, number_bytes);
-  }
-  std::vector<hsize_t> first(shape.size(), 0);
-  for (const auto& chunk : contents) {
+void Hdf5Writer::write(const std::string& name, const ArrayView& array, Packing packing) {
+  if (packing == Packing::shuffle_gzip) return packed(name, pack({array}).front());
+  const auto data = new_dataset(name, array.type, array.shape, 0);
+  if (count(array.shape) > 0) check(H5Dwrite(data, native_type(array.type), H5S_ALL, H5S_ALL, H5P_DEFAULT, array.values), name);
+}
+
+void Hdf5Writer::packed(const std::string& name, const PackedArray& array) {
+  const auto data = new_dataset(name, array.type, array.shape, array.chunks.empty() ? 0 : array.chunk_rows);
+  std::vector<hsize_t> first(array.shape.size(), 0);
+  for (const auto& chunk : array.chunks) {
     check(H5Dwrite_chunk(data, H5P_DEFAULT, 0, first.data(), chunk.size(), chunk.data()), name);
-    first[0] += chunk_rows;
+    first[0] += array.chunk_rows;
   }
 }
 

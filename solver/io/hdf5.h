@@ -62,6 +62,35 @@ class Hdf5Handle {
 /// `none`: as fast as the disk. `shuffle_gzip`: about two thirds of the size; HDF5's own filters, so that every reader opens it.
 enum class Packing { none, shuffle_gzip };
 
+/// Numbers in memory, and the shape that they are to have in a file.
+struct ArrayView {
+  ElementType type;
+  std::size_t number_bytes;
+  const void* values;
+  std::vector<hsize_t> shape;
+};
+template <Hdf5Number T>
+ArrayView array_view(std::span<const T> values) {
+  return {element_type<T>(), sizeof(T), values.data(), {values.size()}};
+}
+/// Row by row, with shape [n / columns, columns]; `columns` must divide n.
+template <Hdf5Number T>
+ArrayView table_view(std::span<const T> values, std::size_t columns) {
+  return {element_type<T>(), sizeof(T), values.data(), {values.size() / columns, columns}};
+}
+
+/// An array as Packing::shuffle_gzip stores it. It owns its bytes, so that it can be written when its numbers have gone.
+struct PackedArray {
+  ElementType type;
+  std::vector<hsize_t> shape;
+  std::vector<std::vector<std::byte>> chunks;  ///< of `chunk_rows` rows each; none without numbers
+  hsize_t chunk_rows;
+};
+
+/// Packs arrays, all chunks of all of them in parallel: HDF5's own filters would take longer than the steps between two frames. Another
+/// thread may use HDF5 meanwhile.
+std::vector<PackedArray> pack(const std::vector<ArrayView>& arrays);
+
 /// Writes an HDF5 file into `file`, which the caller commits after close(). Without close() the file is discarded.
 /// Every function throws OutputError. The same contents give the same bytes (no time stamps).
 class Hdf5Writer {
@@ -73,13 +102,14 @@ class Hdf5Writer {
   /// Writes n numbers with shape [n]; n may be 0.
   template <Hdf5Number T>
   void array(const std::string& name, std::span<const T> values, Packing packing = Packing::none) {
-    write(name, element_type<T>(), values.data(), {values.size()}, packing);
+    write(name, array_view(values), packing);
   }
   /// Writes n numbers, row by row, with shape [n / columns, columns]; `columns` must divide n.
   template <Hdf5Number T>
   void table(const std::string& name, std::span<const T> values, std::size_t columns, Packing packing = Packing::none) {
-    write(name, element_type<T>(), values.data(), {values.size() / columns, columns}, packing);
+    write(name, table_view(values, columns), packing);
   }
+  void packed(const std::string& name, const PackedArray& array);
   /// Attributes of the group or array `object` ("/" is the file). Together under 64 kB each.
   void attribute(const std::string& object, const std::string& name, double value);
   void attribute(const std::string& object, const std::string& name, std::int64_t value);
@@ -89,9 +119,9 @@ class Hdf5Writer {
   void close();
 
  private:
-  void write(const std::string& name, ElementType type, const void* values, const std::vector<hsize_t>& shape, Packing packing);
-  void write_packed(hid_t data, const std::string& name, std::size_t number_bytes, const std::byte* values,
-                    const std::vector<hsize_t>& shape, hsize_t chunk_rows);
+  void write(const std::string& name, const ArrayView& array, Packing packing);
+  /// A dataset without its numbers; chunked and with HDF5's filters if `chunk_rows` > 0.
+  Hdf5Handle new_dataset(const std::string& name, ElementType type, const std::vector<hsize_t>& shape, hsize_t chunk_rows) const;
   void write_attribute(const std::string& object, const std::string& name, hid_t type, hid_t space, const void* value);
   Hdf5Handle checked(hid_t id, Hdf5Handle::Close close, const std::string& name) const;
   void check(herr_t status, const std::string& name) const;

@@ -24,10 +24,15 @@ void check_lengths(const Mesh& mesh) {
                                               field.values.size(), mesh.vertex_count(), field.components));
 }
 
+template <class T>
+PackedArray packed(std::span<const T> values, std::size_t components) {
+  return pack({components == 1 ? array_view(values) : table_view(values, components)}).front();
+}
+
 void write_field(Hdf5Writer& out, const MeshField& field) {
-  if (field.name == "volume") return write_vtk_field<double>(out, field.name, field.unit, field.values, field.components);
+  if (field.name == "volume") return write_vtk_field(out, field.name, field.unit, packed<double>(field.values, field.components));
   const std::vector<float> values(field.values.begin(), field.values.end());
-  write_vtk_field<float>(out, field.name, field.unit, values, field.components);
+  write_vtk_field(out, field.name, field.unit, packed<float>(values, field.components));
 }
 
 void check_cells(const std::filesystem::path& path, const Mesh& mesh) {
@@ -58,7 +63,7 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
   AtomicFile file(path);
   Hdf5Writer out(file);
   write_vtk_head(out, mesh.time_s);
-  write_vtk_points<double>(out, mesh.points);
+  write_vtk_points(out, pack({table_view<double>(mesh.points, 3)}).front());
 
   std::vector<std::int64_t> offsets(mesh.cell_count() + 1);
   for (std::size_t c = 0; c < offsets.size(); ++c) offsets[c] = static_cast<std::int64_t>(c * mesh.corners);

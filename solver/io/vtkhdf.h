@@ -19,20 +19,15 @@ inline void write_vtk_head(Hdf5Writer& out, double time_s) {
 }
 
 /// x, y, z of each point [m].
-template <Hdf5Number T>
-void write_vtk_points(Hdf5Writer& out, std::span<const T> points) {
-  out.table("VTKHDF/Points", points, 3, Packing::shuffle_gzip);
+inline void write_vtk_points(Hdf5Writer& out, const PackedArray& points) {
+  out.packed("VTKHDF/Points", points);
   out.attribute("VTKHDF/Points", "unit", "m");
 }
 
-/// A field, `components` numbers per point.
-template <Hdf5Number T>
-void write_vtk_field(Hdf5Writer& out, const std::string& field, std::string_view unit, std::span<const T> values, std::size_t components) {
+/// A field: one number per point, or a row of several.
+inline void write_vtk_field(Hdf5Writer& out, const std::string& field, std::string_view unit, const PackedArray& values) {
   const std::string name = std::string(k_vtk_fields) + "/" + field;
-  if (components == 1)
-    out.array(name, values, Packing::shuffle_gzip);
-  else
-    out.table(name, values, components, Packing::shuffle_gzip);
+  out.packed(name, values);
   out.attribute(name, "unit", unit);
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdio>
 #include <new>
 
@@ -67,6 +68,18 @@ int run_program(CLI::App& app, const Action& action, int count, char** words) {
   }
 }
 
+CLI::Validator whole_number(std::int64_t low, std::int64_t high) {
+  const auto take = [low, high](std::string& text) -> std::string {
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || value < low || value > high)
+      return fmt::format("found {}, allowed: a whole number from {} to {}", text, low, high);
+    text = std::to_string(value);  // without leading zeros, in which CLI11 would see base eight
+    return {};
+  };
+  return {take, ""};
+}
+
 void add_quality_option(CLI::App& command, Quality& quality) {
   constexpr auto names = choice_names(Quality{});
   const auto store = [&quality, names](const std::string& word) {
@@ -79,7 +92,7 @@ void add_quality_option(CLI::App& command, Quality& quality) {
 void add_threads_option(CLI::App& command, int& threads) {
   command.add_option("--threads", threads, "threads [all cores]; the results do not depend on it")
       ->type_name("N")
-      ->check(CLI::Range(1, 4096));
+      ->transform(whole_number(1, 4096));
 }
 
 void add_set_option(CLI::App& command, std::vector<std::string>& overrides) {

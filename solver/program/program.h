@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -20,6 +21,9 @@ using Action = std::function<int()>;
 /// Reads the command line of `main`, runs the `action` that the requested command has set, and returns the program's exit code.
 /// Every error becomes one line `<program>: ...` on standard error. Waiting threads fall asleep soon (solver/program/waiting.h).
 int run_program(CLI::App& app, const Action& action, int count, char** words);
+
+/// Takes whole numbers from `low` to `high`, in base ten: CLI11 by itself reads 010 as 8. To be given to CLI::Option::transform.
+CLI::Validator whole_number(std::int64_t low, std::int64_t high);
 
 /// Adds the option --quality, which sets `quality`.
 void add_quality_option(CLI::App& command, Quality& quality);

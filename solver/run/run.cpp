@@ -85,10 +85,10 @@ void save_series(const Scene& scene, const ResultFiles& results, int frames) {
 }
 
 /// Writes what a frame leaves; the ledger comes last, so that its rows are those of whole frames.
-void save_frame(const Scene& scene, const ResultFiles& results, int frame, double time_s, const FrameData& data, LedgerFile& ledger,
+void save_frame(const Scene& scene, const ResultFiles& results, int frame, const PackedFrame& data, LedgerFile& ledger,
                 const std::vector<double>& row) {
   try {
-    write_frame(results.frames() / frame_name(frame), time_s, data);
+    write_frame(results.frames() / frame_name(frame), data);
     save_series(scene, results, frame);
     ledger.append(row);
   } catch (const OutputError& error) {
@@ -186,7 +186,7 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
   const StopSignals signals;
   if (options.threads > 0) omp_set_num_threads(options.threads);
   const ResultFiles results{options.out};
-  const int threads = omp_get_max_threads(), frames = frame_count(scene, options);
+  const int frames = frame_count(scene, options);
 
   std::unique_ptr<Simulation> simulation;
   int frame = 0;
@@ -214,7 +214,7 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
   if (options.resume)
     first = last = read_ledger(results.ledger()).rows.at(0);
   else
-    save_frame(scene, results, 0, simulation->time(), simulation->frame(), ledger, first);
+    save_frame(scene, results, 0, simulation->packed_frame(), ledger, first);
   save_description(scene, results, "running", last, wall(), simulation->counters().particle_steps);
   BackgroundWriter writer;  // behind all that its jobs use
 
@@ -249,10 +249,8 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
     if (reached) {
       ++frame;
       last = ledger_row(*simulation);
-      writer.put([&, frame, time = simulation->time(), data = simulation->frame(), row = last] {
-        omp_set_num_threads(writer.owner_waits() ? threads : 1);  // of this thread's own loops: the steps need the cores
-        save_frame(scene, results, frame, time, data, ledger, row);
-      });
+      // packed here, by all threads: a thread of its own would take a core from the steps, whose threads wait for each other
+      writer.put([&, frame, data = simulation->packed_frame(), row = last] { save_frame(scene, results, frame, data, ledger, row); });
       progress.update(stand(frame));
     }
     const bool stop = StopSignals::asked() && frame < frames;

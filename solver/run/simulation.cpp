@@ -152,9 +152,10 @@ class SimulationOf final : public Simulation {
           for (std::size_t d = 0; d < 3; ++d) v[3 * row + d] = static_cast<float>(v_p[d]);
         });
         for (std::size_t c = 0; c < shown.size(); ++c) {
+          double values[W];
+          shown[c].values(store.tile(t), store.tiles[t].material, values);
           for_each_particle_of(b, t, [&](const ParticleSlot& p) {
-            scalars[c][rows[static_cast<std::size_t>(identity_of<Real>(p.columns, p.lane))]] =
-                static_cast<float>(shown[c].value(p.columns, p.lane, store.tiles[t].material));
+            scalars[c][rows[static_cast<std::size_t>(identity_of<Real>(p.columns, p.lane))]] = static_cast<float>(values[p.lane]);
           });
         }
       });

@@ -42,13 +42,26 @@ std::string in_one_line(std::string_view text) {
   return line;
 }
 
+/// Whether the dot at `i` is that of a number that stands by itself, as in [0.5, 1.5e3]. Parts of a dotted key may look like numbers, 1.2
+/// .3, but a dot is between them: at least every second one counts.
+bool is_dot_of_number(std::string_view text, std::size_t i) {
+  constexpr std::string_view k_number = "0123456789_eE+-.", k_before = " \t\n,[={", k_after = " \t\r\n,]}#";
+  const std::size_t begin = text.find_last_not_of(k_number, i) + 1;  // npos + 1 is 0
+  const std::size_t end = std::min(text.find_first_not_of(k_number, i), text.size());
+  return std::count(text.begin() + static_cast<std::ptrdiff_t>(begin), text.begin() + static_cast<std::ptrdiff_t>(end), '.') == 1 &&
+         (begin == 0 || k_before.find(text[begin - 1]) != std::string_view::npos) &&
+         (end == text.size() || k_after.find(text[end]) != std::string_view::npos);
+}
+
 /// The parser follows dotted keys by recursion, to any depth. A key ends with its line, so a bound on the dots per line bounds the stack.
 void refuse_endless_keys(std::string_view text, const std::string& name) {
-  constexpr int k_most_dots = 3000;
+  constexpr int k_most_dots = 1500;
   int line = 1, dots = 0;
-  for (const char c : text) {
-    if (c == '.' && ++dots > k_most_dots) {
-      throw InputError(fmt::format("{}:{}: found more than {} dots in one line, allowed: shorter lines", name, line, k_most_dots));
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '.' && !is_dot_of_number(text, i) && ++dots > k_most_dots) {
+      throw InputError(
+          fmt::format("{}:{}: found more than {} dots outside of numbers in one line, allowed: shorter lines", name, line, k_most_dots));
     }
     if (c == '\n') {
       ++line;

@@ -117,6 +117,16 @@ Subject loaf_subject(const Combination& combination, Precision precision, int th
           [=] { return loaf(combination, precision, 1e3 * thousands); }, 40, std::clamp(10'000 / thousands, 5, 50)};
 }
 
+/// In the steps after the start particles of a cell still stand together as they were filled in. A thousand steps later they stand as in
+/// most of a bake; the steps that are timed hold every time since the last sorting.
+Subject mixed_loaf_subject(const Combination& combination, Precision precision, int thousands) {
+  Subject subject = loaf_subject(combination, precision, thousands);
+  subject.name += "_mixed";
+  subject.warm_up = 1000;
+  subject.steps = 200;
+  return subject;
+}
+
 Subject block_subject(Precision precision, int cells) {
   return {fmt::format("block/{}/{}^3", word_of(precision), cells), precision, [=] { return elastic_block(precision, cells); }, 2,
           cells < 50 ? 50 : 4};
@@ -136,6 +146,8 @@ void register_steps(const Limits& limits) {
     if (c.name == "plastic" || c.name == "all")
       for (const int thousands : {100, 200, 1000, 2000, 4000, 8000})
         add(loaf_subject(c, Precision::single_precision, thousands), limits, all);
+  for (const Combination& c : k_combinations)
+    if (c.name == "all") add(mixed_loaf_subject(c, Precision::single_precision, 100), limits, one_and_all);
   for (const int cells : {25, 100})
     for (const Precision precision : precisions) add(block_subject(precision, cells), limits, one_and_all);
 }

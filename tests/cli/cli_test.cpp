@@ -76,7 +76,8 @@ TEST(CommandLine, WrongOptionsAreRefused) {
   expect_refused(place, "run dough --threads 1.5", "--threads");
   expect_refused(place, "run dough --threads", "--threads");
   expect_refused(place, "run dough --threads 1 --threads 2", "--threads");
-  expect_refused(place, "run dough --frames 0", "--frames");
+  expect_refused(place, "run dough --frames 0", "--frames: found 0, allowed: a whole number from 1 to 1000000000");
+  expect_refused(place, "run dough --frames 1.5", "--frames");
   expect_refused(place, "run dough --frames 3 --end 1", "excludes");
   expect_refused(place, "run dough --end 0", "--end");
   expect_refused(place, "run dough --end nan", "--end");

@@ -22,6 +22,13 @@ bool half_written_files(const fs::path& folder) {
   return false;
 }
 
+TEST(Run, ReadsNumbersInBaseTen) {
+  const Workplace place;
+  ASSERT_EQ(place.bake("run dough --quiet --threads 01 --frames 010 --out ten").exit_code, 0);
+  EXPECT_TRUE(fs::exists(place.folder() / "ten/frames/0010.hdf"));
+  EXPECT_FALSE(fs::exists(place.folder() / "ten/frames/0011.hdf"));
+}
+
 TEST(Run, InterruptedAndResumedGivesTheSameBitsAsNeverStopped) {
   const Workplace place;
   ASSERT_EQ(place.bake(std::string(k_long) + " --out whole").exit_code, 0);

@@ -120,6 +120,9 @@ expect "another compiler configures again" called "g++-13"
 
 fresh_clone
 stand_in dpkg-query 'true'
+run figure --help
+expect "help installs nothing" not called "apt-get"
+expect "help of figures asks for no package of figures" not says "gnuplot-nox"
 run run bread --no-install
 expect "missing packages and --no-install are exit 2" exits_with 2
 expect "missing packages are named" says "missing packages: cmake ninja-build libeigen3-dev"
@@ -165,6 +168,30 @@ mv "$clone" "$sandbox/moved"
 clone=$sandbox/moved
 run run bread
 expect "a moved clone configures again" called "cmake"
+
+# A folder that may not be written: for root only one that is mounted so, in a mount namespace of its own.
+fresh_clone
+run run bread
+rm "$clone/build/release/bake-mesh"
+read_only() {
+  if (($(id -u) != 0)); then
+    chmod a-w "$clone" "$clone/build" "$clone/build/release"
+    run "$@"
+    chmod u+w "$clone" "$clone/build" "$clone/build/release"
+  else
+    status=0
+    # shellcheck disable=SC2016
+    output=$(cd "$sandbox" && unshare --mount bash -c 'mount --bind "$0" "$0" && mount -o remount,ro,bind "$0" && PATH=$1 exec "$0/bake" "${@:2}"' \
+      "$clone" "$tools" "$@" 2>&1) || status=$?
+  fi
+}
+if (($(id -u) != 0)) || unshare --mount true 2>/dev/null; then
+  read_only run bread
+  expect "what is built in a folder that may not be written is run" [ "$output" = "<bake><run><bread>" ]
+  read_only mesh tets
+  expect "what is not built there is exit 3" exits_with 3
+  expect "what is not built there is said" says "nothing is built"
+fi
 
 echo "$failures failed"
 exit $((failures > 0))

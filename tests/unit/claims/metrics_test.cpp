@@ -284,7 +284,7 @@ class SurfaceMetrics : public testing::Test {
 
 TEST_F(SurfaceMetrics, CountAndMeasureCracksAndPieces) {
   EXPECT_EQ(measure("cracks"), 2);
-  EXPECT_EQ(measure("crack_area"), 0.4);
+  EXPECT_DOUBLE_EQ(measure("crack_area"), 0.4);
   EXPECT_EQ(measure("crack_length"), 1.5);
   EXPECT_EQ(measure("pieces"), 3);
   EXPECT_EQ(measure("open_pieces"), 1);
@@ -302,10 +302,12 @@ TEST_F(SurfaceMetrics, LookAtTheFrameThatIsAskedFor) {
   EXPECT_EQ(measure("two_pieces", start), 1);
 }
 
-TEST_F(SurfaceMetrics, FindTheShareOfTheCracksInABox) {
+TEST_F(SurfaceMetrics, FindTheCracksInABoxAndTheirShare) {
   MetricPlace top;
   top.low_m = Vector3{-1, -1, 0.5};
+  EXPECT_DOUBLE_EQ(measure("crack_area", top), 0.3);
   top.high_m = Vector3{1, 1, 2};
+  EXPECT_DOUBLE_EQ(measure("crack_area", top), 0.3);
   EXPECT_DOUBLE_EQ(measure("crack_share", top), 0.75);
   top.time_s = 0;
   EXPECT_TRUE(std::isnan(measure("crack_share", top))) << "no crack has no share";

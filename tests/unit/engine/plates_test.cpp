@@ -52,7 +52,7 @@ double energy(double cells, double angle_deg, const std::string& contact, double
   return Shaft(cells, angle_deg, contact, travel).energy(travel);
 }
 
-// Nodes inside of plates alone, with the plates' velocity: 10 to 30 % are missing, whatever dx.
+// If only nodes inside of plates move, with the plates' velocity, some 10 % are missing at either resolution.
 TEST(APlateThatPresses, StoresTheEnergyOfTheStrain) {
   for (const char* contact : {"slip", "separating"}) {
     EXPECT_NEAR(energy(8, 0, contact, -0.026), 1, 0.03) << contact;

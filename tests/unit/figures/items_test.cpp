@@ -79,7 +79,7 @@ TEST_F(ItemsFile, RefusesAnExperimentThatNobodyNames) {
 
 TEST_F(ItemsFile, RefusesWhatIsWrittenWrong) {
   EXPECT_EQ(error_of("shows", "show"), "items.toml:4: item.0: unknown key 'show', did you mean 'shows'?");
-  EXPECT_EQ(error_of("table 3", "tabel 3"), "items.toml:11: item.1.number: found 'tabel 3', allowed: figure N or table N");
+  EXPECT_EQ(error_of("table 3", "tabel 3"), "items.toml:11: item.1.number: found 'tabel 3', allowed: figure N, table N or experiment N");
   EXPECT_EQ(error_of("table 3", "figure 3"), "items.toml:11: item.1.number: found 'figure 3' again");
   EXPECT_EQ(error_of("costs", "cookies"), "items.toml:12: item.1.name: found 'cookies' again");
   EXPECT_EQ(error_of("claims = [\"they spread\"]\n", ""),

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One line for each class of mistake.
+#include <fmt/format.h>
+
 #include "tests/unit/scene/scenes.h"
 
 namespace bake::test {
@@ -186,11 +188,22 @@ TEST(SceneError, EmitterMustPour) {
             std::string::npos);
 }
 
+TEST(SceneError, DotsOfNumbersAreNoStepsOfAKey) {
+  std::string curve = "[[-0.0, 20.5]";
+  for (int i = 1; i < 4000; ++i) curve += fmt::format(", [{}.0, +2.0e-1]", i);
+  EXPECT_EQ(error_of(k_least + "[oven]\ntemperature_C = " + curve + "]\n"), "");
+  std::string key = "1.2";
+  for (int i = 0; i < 4000; ++i) key += " .3.4";
+  EXPECT_NE(error_of("\n" + key + " = 1\n").find("found more than 1500 dots outside of numbers"), std::string::npos);
+}
+
 TEST(SceneError, EndlessKeysAndNestingDoNotExhaustTheStack) {
   std::string key, tables, lists(100000, '[');
   for (int i = 0; i < 100000; ++i) key += "a.", tables += "{a=";
-  EXPECT_EQ(error_of("\n" + key + "b = 1\n"), "bread.toml:2: found more than 3000 dots in one line, allowed: shorter lines");
-  EXPECT_EQ(error_of("\n[" + key + "b]\n"), "bread.toml:2: found more than 3000 dots in one line, allowed: shorter lines");
+  EXPECT_EQ(error_of("\n" + key + "b = 1\n"),
+            "bread.toml:2: found more than 1500 dots outside of numbers in one line, allowed: shorter lines");
+  EXPECT_EQ(error_of("\n[" + key + "b]\n"),
+            "bread.toml:2: found more than 1500 dots outside of numbers in one line, allowed: shorter lines");
   EXPECT_NE(error_of("a = " + lists).find("no valid TOML"), std::string::npos);
   EXPECT_NE(error_of("a = " + tables).find("no valid TOML"), std::string::npos);
   EXPECT_NE(error_of(k_least, {key + "b=1"}).find("found 100001 names, allowed: at most 100"), std::string::npos);
