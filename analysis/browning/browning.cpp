@@ -34,7 +34,7 @@ std::vector<double> frame_times(const std::filesystem::path& results) {
 }  // namespace
 
 double browning_rate(const BrowningLaw& law, double temperature_C, double dryness) {
-  const double dry = std::clamp(dryness / law.reference_dryness, 0.0, 1.0);
+  const double dry = law.reference_dryness > 0 ? std::clamp(dryness / law.reference_dryness, 0.0, 1.0) : 1;
   return dry * std::pow(10, (temperature_C - law.reference_temperature_C) / law.tenfold_K) / law.reference_time_s;
 }
 

@@ -7,7 +7,8 @@
 //
 //     dB/dt = 1/t_ref 10^((theta - theta_ref) / theta_10) min(1, w / w_ref),    degree = 1 - exp(-B)
 //
-// where w is the share of its water that the particle has lost since the first frame (the factor is 1 if the run has no water).
+// where w is the share of its water that the particle has lost since the first frame (the factor is 1 if the run has no water, or
+// w_ref is 0).
 // The solver does not compute this. It serves the look of pictures and is no claim: scenes compress time and oven, so each view chooses
 // t_ref and theta_ref.
 #pragma once
@@ -35,8 +36,8 @@ struct BrowningLaw {
         Parameter{"reference_time_s", &BrowningLaw::reference_time_s, "s", positive,
                   "t_ref: ... browns to a degree of 1 - 1/e in this time"},
         Parameter{"tenfold_K", &BrowningLaw::tenfold_K, "K", positive, "theta_10: rise of temperature that makes it ten times as fast"},
-        Parameter{"reference_dryness", &BrowningLaw::reference_dryness, "1", Range{0, 1, true, false, "a number above 0, up to 1"},
-                  "w_ref: share of its water that must have left for the full rate"},
+        Parameter{"reference_dryness", &BrowningLaw::reference_dryness, "1", fraction,
+                  "w_ref: share of its water that must have left for the full rate; 0: heat alone colours, as it sets a chocolate cake"},
     };
   }
 };

@@ -16,15 +16,6 @@ bool contains(const std::vector<std::string>& list, std::string_view word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-/// Checks that the claim has the keys that the metric needs, and no key that it does not know.
-void check_place(const SceneEntry& entry, const Metric& metric) {
-  for (const std::string& key : keys_of<MetricPlace>()) {
-    const bool needed = contains(metric.needs, key), known = needed || contains(metric.knows, key);
-    if (needed && !entry.find(key)) entry.refuse_missing(key, fmt::format("what {} needs: {}", metric.name, fmt::join(metric.needs, ", ")));
-    if (!known && entry.find(key)) entry.complain_at(key, fmt::format("'{}' knows no such key", metric.name));
-  }
-}
-
 void check_metric(const SceneEntry& entry, const Claim& claim, const std::vector<std::string>& computed) {
   if (claim.of.empty()) {
     if (!contains(computed, claim.metric))
@@ -106,6 +97,14 @@ std::vector<ClaimVerdict> judge_order(const Claim& claim, const MetricWords& wor
 }
 
 }  // namespace
+
+void check_place(const SceneEntry& entry, const Metric& metric) {
+  for (const std::string& key : keys_of<MetricPlace>()) {
+    const bool needed = contains(metric.needs, key), known = needed || contains(metric.knows, key);
+    if (needed && !entry.find(key)) entry.refuse_missing(key, fmt::format("what {} needs: {}", metric.name, fmt::join(metric.needs, ", ")));
+    if (!known && entry.find(key)) entry.complain_at(key, fmt::format("'{}' knows no such key", metric.name));
+  }
+}
 
 Claim read_claim(const SceneEntry& entry, const std::vector<std::string>& computed) {
   entry.expect_table();

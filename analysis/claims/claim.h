@@ -63,6 +63,9 @@ struct Claim {
   bool is_judged_at(std::string_view asked) const { return !quality || word_of(*quality) == asked; }
 };
 
+/// Checks that a table has the keys of MetricPlace that the metric needs, and none that it does not know. Throws InputError.
+void check_place(const SceneEntry& entry, const Metric& metric);
+
 /// Reads a table [[claim]] and checks it: a known metric with the keys that it needs and no others, and one condition.
 /// `computed`: the names of the numbers that the item's function computes. Throws InputError.
 Claim read_claim(const SceneEntry& entry, const std::vector<std::string>& computed);

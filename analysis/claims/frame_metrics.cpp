@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "analysis/claims/metric.h"
+#include "analysis/claims/volume_share.h"
 #include "solver/core/errors.h"
 
 namespace bake {
@@ -75,24 +76,6 @@ double time_to_reach(const Results& run, const MetricPlace& at) {
   for (std::size_t frame = 0; frame < times.size(); ++frame)
     if (temperature_of(run, static_cast<int>(frame), particle) >= *at.temperature_C) return times[frame];
   return k_infinity;
-}
-
-/// Share of the volume of all particles for which `counts(row)`.
-template <class Counts>
-double volume_share(const FrameReader& frame, Counts counts) {
-  const auto volumes = frame.column("volume");
-  double all = 0, counted = 0;
-  for (std::size_t row = 0; row < volumes.size(); ++row) {
-    all += static_cast<double>(volumes[row]);
-    if (counts(row)) counted += static_cast<double>(volumes[row]);
-  }
-  return all > 0 ? counted / all : std::nan("");
-}
-
-double heated_share(const Results& run, const MetricPlace& at) {
-  const FrameReader frame = run.frame(run.frame_at(at.time_s));
-  const auto peak = frame.column("peak_temperature");
-  return volume_share(frame, [&](std::size_t row) { return static_cast<double>(peak[row]) >= *at.temperature_C; });
 }
 
 /// The share of its water that each particle has lost since the start.
@@ -209,6 +192,12 @@ double top_curvature(const Results& run, const MetricPlace& at) {
   return xx > 0 ? -2 * xz / xx : std::nan("");
 }
 
+/// Innermost and outermost ring of the same profile.
+double dome_rise(const Results& run, const MetricPlace& at) {
+  const auto top = top_profile(run, at);
+  return top.size() > 1 ? (top.front()[1] - top.back()[1]) / (2 * *at.radius_m) : std::nan("");
+}
+
 }  // namespace
 
 std::vector<Metric> frame_metrics() {
@@ -240,13 +229,6 @@ std::vector<Metric> frame_metrics() {
        time_to_reach,
        nullptr,
        {"point_m", "temperature_C"}},
-      {"heated_share",
-       "1",
-       "share of the volume that has been at temperature_C: gelatinised, for dough",
-       heated_share,
-       nullptr,
-       {"temperature_C"},
-       {"time_s"}},
       {"crust_thickness",
        "m",
        "mean thickness of the layer that has lost dried_share of its water: its volume over the area that touches air",
@@ -279,6 +261,13 @@ std::vector<Metric> frame_metrics() {
        "1/m",
        "curvature of the top within radius_m of that axis: above 0 for a dome, below for a dent",
        top_curvature,
+       nullptr,
+       {"radius_m"},
+       {"time_s"}},
+      {"dome_rise",
+       "1",
+       "height of the top at that axis above the top just within radius_m of it, over twice radius_m",
+       dome_rise,
        nullptr,
        {"radius_m"},
        {"time_s"}},

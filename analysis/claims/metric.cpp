@@ -11,7 +11,8 @@ namespace bake {
 const std::vector<Metric>& all_metrics() {
   static const std::vector<Metric> all = [] {
     std::vector<Metric> list = ledger_metrics();
-    for (const auto& more : {frame_metrics(), neck_metrics(), surface_metrics()}) list.insert(list.end(), more.begin(), more.end());
+    for (const auto& more : {frame_metrics(), neck_metrics(), region_metrics(), surface_metrics()})
+      list.insert(list.end(), more.begin(), more.end());
     return list;
   }();
   return all;

@@ -21,19 +21,23 @@ struct MetricPlace {
   std::optional<double> radius_m = {};
   std::optional<double> temperature_C = {};
   std::optional<double> dried_share = {};
+  std::optional<std::string> material = {};
+  std::optional<double> softened_to = {};
   std::optional<double> time_s = {};
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"from_m", &MetricPlace::from_m, "m", any_number, "position of one particle at the start"},
         Parameter{"to_m", &MetricPlace::to_m, "m", any_number, "position of the other particle at the start"},
         Parameter{"point_m", &MetricPlace::point_m, "m", any_number, "position of the particle at the start, or a point of an upright axis"},
-        Parameter{"low_m", &MetricPlace::low_m, "m", any_number, "lower corner of a box of positions at the start"},
-        Parameter{"high_m", &MetricPlace::high_m, "m", any_number, "upper corner of a box of positions at the start"},
+        Parameter{"low_m", &MetricPlace::low_m, "m", any_number, "lower corner of a box"},
+        Parameter{"high_m", &MetricPlace::high_m, "m", any_number, "upper corner of a box"},
         Parameter{"radius_m", &MetricPlace::radius_m, "m", positive,
                   "distance from the upright axis through the centre of the particles at the start"},
         Parameter{"temperature_C", &MetricPlace::temperature_C, "C", above_absolute_zero, "temperature that is reached"},
         Parameter{"dried_share", &MetricPlace::dried_share, "1", open_fraction,
                   "share of its water that a particle must have lost to count as dry"},
+        Parameter{"material", &MetricPlace::material, "", any_number, "name of a material"},
+        Parameter{"softened_to", &MetricPlace::softened_to, "1", open_fraction, "yield stress that counts as soft, over that at the start"},
         Parameter{"time_s", &MetricPlace::time_s, "s", non_negative, "time of the frame; the last one unless given"},
     };
   }
@@ -55,6 +59,7 @@ const std::vector<Metric>& all_metrics();
 std::vector<Metric> ledger_metrics();
 std::vector<Metric> frame_metrics();
 std::vector<Metric> neck_metrics();
+std::vector<Metric> region_metrics();
 std::vector<Metric> surface_metrics();
 
 /// The metric `name`. Throws InputError with the nearest known name if there is none.

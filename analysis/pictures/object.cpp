@@ -212,7 +212,9 @@ const BrowningHistory& Histories::at(const std::filesystem::path& results, const
 
 PictureObject load_object(const std::filesystem::path& file, const std::filesystem::path& results, const View& view,
                           const ObjectSettings& settings, Histories& histories, int threads) {
-  return Loader(Shown(file, results, threads), view, settings, histories).load();
+  Shown shown(file, results, threads);
+  if (settings.material) shown.keep_material(*settings.material);
+  return Loader(shown, view, settings, histories).load();
 }
 
 }  // namespace bake

@@ -57,6 +57,27 @@ Shown::Shown(std::filesystem::path file, std::filesystem::path results, int thre
   if (mesh_->corners == 4) mesh_ = boundary_of_tetrahedra(*mesh_);
 }
 
+void Shown::keep_material(int number) {
+  const MeshField* material = is_frame() ? particles_->find("material") : nullptr;
+  if (!material) throw InputError(fmt::format("{}: material: has no particles of materials, allowed: a frame of bake run", file_.string()));
+  Particles kept;
+  kept.time_s = particles_->time_s;
+  for (const MeshField& field : particles_->fields) kept.fields.push_back({field.name, field.unit, field.components, {}});
+  for (std::size_t i = 0; i < particles_->count(); ++i) {
+    if (material->values[i] != number) continue;
+    kept.positions.insert(kept.positions.end(), &particles_->positions[3 * i], &particles_->positions[3 * i] + 3);
+    kept.volumes.push_back(particles_->volumes[i]);
+    if (!particles_->ids.empty()) kept.ids.push_back(particles_->ids[i]);
+    for (std::size_t f = 0; f < kept.fields.size(); ++f) {
+      const auto& values = particles_->fields[f].values;
+      const auto first = values.begin() + static_cast<std::ptrdiff_t>(i * kept.fields[f].components);
+      kept.fields[f].values.insert(kept.fields[f].values.end(), first, first + static_cast<std::ptrdiff_t>(kept.fields[f].components));
+    }
+  }
+  if (kept.volumes.empty()) throw InputError(fmt::format("{}: material: found no particle of number {}", file_.string(), number));
+  particles_ = std::move(kept);
+}
+
 Mesh Shown::surface(double spacing_m) const { return mesh_ ? *mesh_ : splat_surface(*particles_, {spacing_m, threads_}); }
 
 const std::filesystem::path& Shown::results() const {

@@ -18,6 +18,8 @@ class Shown {
   Shown(std::filesystem::path file, std::filesystem::path results, int threads);
 
   const std::filesystem::path& file() const { return file_; }
+  /// Leaves only the particles of that material. Throws InputError if the file is no frame, or has none of it.
+  void keep_material(int number);
   double time_s() const { return time_s_; }
   bool is_frame() const { return !mesh_; }
   /// A closed surface: of the particles (as splat_surface, `spacing_m` 0 is measured), of tetrahedra, or the triangles of the file.

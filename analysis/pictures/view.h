@@ -165,6 +165,7 @@ struct ObjectSettings {
   std::optional<double> range_low;
   std::optional<double> range_high;
   ParticleShape particles = ParticleShape::surface;
+  std::optional<int> material;
   std::optional<double> spacing_m;
   double sphere_scale = 1;
   std::optional<Vector3> cut_point_m;
@@ -185,6 +186,8 @@ struct ObjectSettings {
         Parameter{"range_high", &ObjectSettings::range_high, "", any_number, "value at the map's end; default: the largest"},
         Parameter{"particles", &ObjectSettings::particles, "", any_number,
                   "show a frame's particles as a smooth surface around them, or as spheres"},
+        Parameter{"material", &ObjectSettings::material, "", Range{0, 1e6, false, false, "a whole number of at least 0"},
+                  "only the frame's particles of that [[material]] of the scene, counted from 0; default: all"},
         Parameter{"spacing_m", &ObjectSettings::spacing_m, "m", positive, "of particles, for their surface; default: measured"},
         Parameter{"sphere_scale", &ObjectSettings::sphere_scale, "1", positive, "radius of spheres over that of the particle's volume"},
         Parameter{"cut_point_m", &ObjectSettings::cut_point_m, "m", any_number, "a point of the cutting plane, before turn and shift"},

@@ -111,8 +111,7 @@ class Staged final : public Running {
       for (int d = 0; d < 3; ++d) x.push_back(static_cast<float>(p.x[d]));
       temperature.push_back(static_cast<float>(p.theta));
     }
-    write_frame(path, chooser_->time(),
-                {x, {{"id", "1", std::span<const std::int64_t>(id)}, {"temperature", "C", std::span<const float>(temperature)}}});
+    write_frame(path, chooser_->time(), {x, {{"id", "1", id}, {"temperature", "C", temperature}}});
   }
 
  private:

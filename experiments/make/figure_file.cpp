@@ -64,10 +64,24 @@ void check(const SceneEntry& entry, const FigurePicture& picture, const Figure& 
   for (const std::string& name : picture.of) check_known(entry, "of", name, "run or surface", runs_and_surfaces(figure));
 }
 
+/// Checks that the metric is one of a run at a time, which the chart sets.
+void check_metric_over_time(const SceneEntry& entry, const FigureChart& chart) {
+  std::vector<std::string> known;
+  for (const Metric& metric : all_metrics())
+    if (metric.of_run && std::find(metric.knows.begin(), metric.knows.end(), "time_s") != metric.knows.end())
+      known.emplace_back(metric.name);
+  check_known(entry, "metric", chart.metric, "metric of a run that has a time", known);
+  if (chart.place.time_s) entry.complain_at("time_s", "the chart is drawn over all times");
+  check_place(entry, find_metric(chart.metric));
+}
+
 void check(const SceneEntry& entry, const FigureChart& chart, const Figure& figure, const ComputedNames& computed) {
   check_name(entry, chart.name, names_in(figure.charts));
-  if (chart.column.empty() != chart.of.empty()) entry.complain_at("column", "allowed: column and `of` together, or a name alone");
-  if (chart.column.empty()) check_known(entry, "name", chart.name, "chart", computed.charts);
+  const int sources = !chart.column.empty() + !chart.metric.empty();
+  if (sources > 1 || (sources == 0) != chart.of.empty())
+    entry.complain_at("column", "allowed: column or metric, with `of`, or a name alone");
+  if (sources == 0) check_known(entry, "name", chart.name, "chart", computed.charts);
+  if (!chart.metric.empty()) check_metric_over_time(entry, chart);
   for (const std::string& name : chart.of) check_known(entry, "of", name, "run", names_in(figure.runs));
 }
 
@@ -86,9 +100,24 @@ void check(const SceneEntry& entry, const Claim& claim, const Figure& figure) {
 }
 
 template <class T>
+T read_one(const SceneEntry& entry) {
+  return read_table<T>(entry);
+}
+
+template <>
+FigureChart read_one(const SceneEntry& entry) {
+  entry.expect_table();
+  entry.refuse_unknown(keys_of<FigureChart, MetricPlace>());
+  FigureChart chart;
+  read_members(entry, chart, Demand::required_keys);
+  read_members(entry, chart.place, Demand::nothing);
+  return chart;
+}
+
+template <class T>
 void read_tables(const SceneEntry& root, const char* key, std::vector<T> Figure::*member, Figure& figure, const ComputedNames& computed) {
   for (const SceneEntry& entry : root.tables(key)) {
-    T one = read_table<T>(entry);
+    T one = read_one<T>(entry);
     check(entry, one, figure, computed);
     (figure.*member).push_back(std::move(one));
   }

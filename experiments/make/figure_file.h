@@ -72,11 +72,14 @@ struct FigurePicture {
   }
 };
 
-/// [[chart]]: a column of the ledger over time, or, if only a name is given, a chart that the item's function computes.
+/// [[chart]]: a column of the ledger or a metric over time, or, if only a name is given, a chart that the item's function computes.
 struct FigureChart {
   std::string name;
   std::string shows;
   std::string column;
+  std::string metric;
+  MetricPlace place;  ///< its keys stand directly in [[chart]]
+  std::string label;
   std::vector<std::string> of;
   static constexpr auto parameters() {
     return std::tuple{
@@ -84,6 +87,9 @@ struct FigureChart {
         Parameter{"shows", &FigureChart::shows, "", any_number,
                   "what it shows: for readers who cannot see it, and as its caption on the page", Presence::required},
         Parameter{"column", &FigureChart::column, "", any_number, "column of the ledger, drawn over time"},
+        Parameter{"metric", &FigureChart::metric, "", any_number,
+                  "or a metric of runs that has a time, drawn over time; what it needs stands beside it"},
+        Parameter{"label", &FigureChart::label, "", any_number, "beside the upright axis; the name of column or metric unless given"},
         Parameter{"of", &FigureChart::of, "", any_number, "the runs, one line each"},
     };
   }

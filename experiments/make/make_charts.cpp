@@ -29,13 +29,27 @@ std::string words_of(std::string name) {
   return name;
 }
 
-charts::Chart ledger_chart(const FigurePaths& paths, const FigureChart& chart) {
+/// A metric of each frame.
+std::vector<double> metric_over_time(const Results& run, const Metric& metric, MetricPlace place) {
+  std::vector<double> values;
+  for (const double time : run.column("time_s")) {
+    place.time_s = time;
+    values.push_back(metric.of_run(run, place));
+  }
+  return values;
+}
+
+charts::Chart chart_over_time(const FigurePaths& paths, const FigureChart& chart) {
   const std::string column = present_column(chart.column);
   if (column != chart.column) say(paths.options, fmt::format("{} is now called {}; the old name is read until 1.0", chart.column, column));
+  const Metric* metric = chart.metric.empty() ? nullptr : &find_metric(chart.metric);
   charts::Panel panel{"", {"time", "s"}, axis_of_column(column)};
+  if (metric) panel.y = {words_of(metric->name), std::string_view(metric->unit) == "1" ? "" : metric->unit};
+  if (!chart.label.empty()) panel.y.label = chart.label;
   for (const std::string& name : chart.of) {
     const Results run(paths.run(name));
-    panel.series.push_back({words_of(name), charts::Kind::line, run.column("time_s"), run.column(column)});
+    panel.series.push_back({words_of(name), charts::Kind::line, run.column("time_s"),
+                            metric ? metric_over_time(run, *metric, chart.place) : run.column(column)});
   }
   panel.legend = panel.series.size() > 1 ? charts::Legend::right : charts::Legend::none;
   return {chart.name, chart.shows, {panel}, 1, 4.4, 2.8};
@@ -46,7 +60,7 @@ charts::Chart ledger_chart(const FigurePaths& paths, const FigureChart& chart) {
 void make_charts(const FigurePaths& paths, const Computed& computed) {
   for (const FigureChart& chart : paths.figure.charts) {
     say(paths.options, fmt::format("chart {}", chart.name));
-    charts::write_chart(chart.column.empty() ? *find_named(computed.charts, chart.name) : ledger_chart(paths, chart), paths.item_folder());
+    charts::write_chart(chart.of.empty() ? *find_named(computed.charts, chart.name) : chart_over_time(paths, chart), paths.item_folder());
   }
 }
 

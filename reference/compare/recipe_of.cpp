@@ -147,7 +147,6 @@ textbook::Recipe recipe_of(const Scene& scene) {
 
 textbook::Surroundings surroundings_of(const Scene& scene, double time_s) {
   textbook::Surroundings s;
-  s.time = time_s;
   s.air = {scene.oven.heat_transfer_coefficient_W_per_m2K(time_s), scene.oven.temperature_C(time_s),
            scene.oven.equilibrium_saturation(time_s)};
   for (const Collider& collider : scene.colliders) {

@@ -100,11 +100,15 @@ void Baker::update_nodes(double dt, const Surroundings& surroundings) {
       hold_temperature(recipe_, surroundings, grid_.position(i), node);
       update_heat(recipe_, dt, node);
     }
-    if (recipe_.motion) {
-      update_velocity(recipe_, dt, node);
-      touch(grid_, surroundings, i, node.v);
-    }
+    if (recipe_.motion) update_velocity(recipe_, dt, node);
   });
+  if (recipe_.motion) {
+    std::vector<Vector> after(grid_.count());
+    grid_.for_each([&](const Index& i, const Node& node) {
+      if (moving_mass(recipe_, node) > 0) after[grid_.number(i)] = after_touching(grid_, surroundings, i);
+    });
+    grid_.for_each([&](const Index& i, Node& node) { node.v = after[grid_.number(i)]; });
+  }
   if (recipe_.heat && recipe_.heat_step == HeatStep::backward_euler) conduct_implicitly(particles_, dt, grid_);
 }
 

@@ -21,17 +21,58 @@ inline Vector after_contact(const Vector& u, const Vector& n, Rule rule, double 
   return speed > taken ? (1 - taken / speed) * along : Vector{};
 }
 
-inline void touch_solid(const Solid& solid, const Vector& x, Vector& v) {
-  const Vector wall = solid.velocity(x);
+/// `line`: the velocity relative to the solid that dough has at x which touches it.
+inline void touch_solid(const Solid& solid, const Vector& x, Vector& v, const Vector& line = {}) {
+  const Vector wall = solid.velocity(x) + line;
   v = solid.rule == Rule::sticky ? wall : wall + after_contact(v - wall, solid.normal(x), solid.rule, solid.friction);
 }
 
-/// One after the other: colliders and grips in their order, then the domain's faces.
-inline void touch(const Grid& grid, const Surroundings& surroundings, const Index& i, Vector& v) {
+/// What moves at a node: vapour leaves after the step.
+inline double moving_mass(const Recipe& recipe, const Node& node) {
+  return node.mass + recipe.inertia_scale * (node.moved_water + node.evaporated);
+}
+
+/// Where dough touches a collider, its velocity relative to that goes to zero at the collider's face, in proportion to the distance d from
+/// it (here in node distances): (d / d_k) v_k, with node k of the column along the axis nearest to the normal, the first that is at least
+/// dx away. It touches where the masses of the column's nodes up to that node are those of dough that fills the column up to the face.
+inline std::optional<Vector> line_beside(const Grid& grid, const Solid& solid, const Index& i) {
+  const Recipe& recipe = grid.recipe();
+  const Vector n = solid.normal(grid.position(i));
+  int axis = 0;
+  for (int d = 1; d < 3; ++d)
+    if (std::abs(n[d]) > std::abs(n[axis]) + 1e-6) axis = d;
+  const auto node = [&](int steps) {
+    Index j = i;
+    j[static_cast<std::size_t>(axis)] += n[axis] > 0 ? steps : -steps;
+    return j;
+  };
+  const auto d = [&](int steps) { return solid.distance(grid.position(node(steps))) / recipe.dx; };
+  const auto mass = [&](int steps) { return grid.has(node(steps)) ? moving_mass(recipe, grid[node(steps)]) : 0; };
+  if (d(0) < -2) return std::nullopt;
+  int k = 0;
+  while (k < 6 && d(k) < 1 - 1e-6) ++k;
+  if (d(k) < 1 - 1e-6 || !(mass(k) > 0)) return std::nullopt;
+  double filled = 0, found = 0;
+  for (int j = k - 1; j >= k - 6 && d(j) < d(j + 1) && d(j) >= -1.5; --j) {
+    filled += 1 - beyond(d(j));
+    found += mass(j) / mass(k) * (1 - beyond(d(k)));
+  }
+  if (filled - found >= 0.1 || filled - found <= -0.55) return std::nullopt;
+  return (d(0) / d(k)) * (grid[node(k)].v - solid.velocity(grid.position(node(k))));
+}
+
+/// The velocity of a node after contact, one after the other: colliders and grips in their order, then the domain's faces. Nodes of the
+/// grid have those before contact.
+inline Vector after_touching(const Grid& grid, const Surroundings& surroundings, const Index& i) {
   const Recipe& recipe = grid.recipe();
   const Vector x = grid.position(i);
-  for (const Solid& solid : surroundings.solids)
-    if (solid.distance(x) <= touching(recipe)) touch_solid(solid, x, v);
+  Vector v = grid[i].v;
+  for (const Solid& solid : surroundings.solids) {
+    const double distance = solid.distance(x);
+    std::optional<Vector> line;
+    if (!solid.is_grip && !solid.expels && distance <= (1 - 1e-6) * recipe.dx) line = line_beside(grid, solid, i);
+    if (line || distance <= touching(recipe)) touch_solid(solid, x, v, line.value_or(Vector{}));
+  }
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t side = 0; side < 2; ++side) {
       const int face = grid.faces(axis)[side];
@@ -40,6 +81,7 @@ inline void touch(const Grid& grid, const Surroundings& surroundings, const Inde
       inward.at[axis] = side == 0 ? 1 : -1;
       v = after_contact(v, inward, recipe.faces[axis][side], recipe.face_friction);
     }
+  return v;
 }
 
 /// A grip holds the temperature of nodes in it, and heats the next ones as through the dough between them and its face. Particles between

@@ -23,6 +23,7 @@ struct Node {
   double water_room = 0;     ///< rho_w V: the water that would fill the node [kg]
   double evaporability = 0;  ///< beta_w theta V [kg m/s]
   double permeability = 0;   ///< rho_w K theta V [kg m^2/s]
+  double water_spread = 0;   ///< V times that of the particles [m^5]
   double heat_capacity = 0;  ///< [J/K]
   double heat_content = 0;   ///< [J]
   double heat_change = 0;    ///< what the step brings [J]
@@ -118,6 +119,12 @@ inline double spline_slope(Kernel kernel, double u) {
   }
   if (u < 1) return sign * (-2 * u + 1.5 * u * u);
   return u < 2 ? -0.5 * sign * (2 - u) * (2 - u) : 0;
+}
+
+/// The quadratic B-spline's integral from d on: the share of what is averaged at a distance d from a solid that lies in it.
+inline double beyond(double d) {
+  if (d < 0) return 1 - beyond(-d);
+  return d < 0.5 ? 0.5 - 0.75 * d + d * d * d / 3 : d < 1.5 ? std::pow(1.5 - d, 3) / 6 : 0;
 }
 
 /// The second moment of the weights, sum_i w r r^T = D I [m^2].

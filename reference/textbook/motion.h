@@ -43,14 +43,26 @@ struct SeenVelocity {
   }
 };
 
-/// x += dt v;  J *= det(I + dt grad v)
+/// The volume at which a particle fills the room of its nodes alone, sum w w V = dx^3, on average over the places in a cell [m^3].
+inline double room_of_nodes(const Recipe& recipe) {
+  const double overlap = recipe.kernel == Kernel::quadratic ? 11. / 20 : 151. / 315;  // integral of N^2
+  return std::pow(recipe.dx / overlap, 3);
+}
+
+/// x += dt v;  J *= det(I + dt grad v), but no particle opens beyond the room of its nodes: alone there it only remembers that it did.
 inline void move(const SeenVelocity& seen, const Recipe& recipe, double dt, Particle& p) {
   p.x += dt * seen.v;
   p.v = recipe.transfer == Transfer::flip ? seen.v + recipe.flip_blend * (p.v - seen.old_v) : seen.v;
   p.C = seen.affine;
   p.grad_v = seen.gradient;
   p.V_before = p.V();
-  p.J *= determinant(identity() + dt * p.grad_v);
+  const double opened = p.J * determinant(identity() + dt * p.grad_v), widest = std::max(p.J, room_of_nodes(recipe) / p.V_0);
+  if (opened > widest) {
+    const Matrix opening = (std::max(p.div_v(), 0.) / 3) * identity();
+    p.C = p.C - opening;
+    p.grad_v = p.grad_v - opening;
+  }
+  p.J = std::min(opened, widest);
 }
 
 }  // namespace bake::textbook

@@ -108,7 +108,6 @@ struct Air {
 
 /// The surroundings of the dough during one step.
 struct Surroundings {
-  double time = 0;  ///< since the dough came into the air, at the start of the step [s]
   Air air;
   std::vector<Solid> solids;
 };

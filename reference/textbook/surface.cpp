@@ -52,11 +52,23 @@ double mirrored_volume(const Grid& grid, Index i, std::size_t axis = 0) {
   return sum;
 }
 
+/// The share that colliders leave of what is averaged into phi~ at x: blurred as phi is, and at least 0.05.
+double room(const Surroundings& surroundings, const Vector& x, double dx) {
+  double room = 1;
+  for (const Solid& solid : surroundings.solids) {
+    if (solid.is_grip) continue;
+    const double d = solid.distance(x) / dx;
+    room *= 1 - 0.25 * beyond(d - 1) - 0.5 * beyond(d) - 0.25 * beyond(d + 1);
+  }
+  return std::max(room, 0.05);
+}
+
 /// The first collider within `reach` of x that faces the surface there (outward normal n, if known).
 const Solid* covering(const Surroundings& surroundings, const Vector& x, const Vector* n, double reach) {
   for (const Solid& solid : surroundings.solids) {
     if (solid.is_grip || solid.distance(x) > reach) continue;
-    if (n && dot(solid.normal(x), *n) > -0.5) continue;  // the surface looks elsewhere
+    if (n && dot(solid.normal(x), *n) > -0.5 && solid.distance(x) - solid.distance(x + reach * *n) < reach / 2)
+      continue;  // looks elsewhere
     return &solid;
   }
   return nullptr;
@@ -64,9 +76,11 @@ const Solid* covering(const Surroundings& surroundings, const Vector& x, const V
 
 /// beta and theta behind a surface: of the solid that covers it (none if it passes no heat), or else of the air.
 struct Behind {
+  bool is_solid;
   double beta, theta;
   Behind(const Solid* solid, const Air& air)
-      : beta(!solid         ? air.beta
+      : is_solid(solid),
+        beta(!solid         ? air.beta
              : solid->theta ? solid->beta
                             : 0),
         theta(!solid ? air.theta : solid->theta.value_or(0)) {}
@@ -79,43 +93,67 @@ double unrounded(const Recipe& recipe, double r, double r_K) {
   return r > 0 ? r * (1 + std::min(half_variance * (r_K / r) * (r_K / r), 0.5)) : 0;
 }
 
+/// The surface of what fills the nodes: r = |grad psi| / phi, r K dx, and the outward normal; zero where there is none.
+struct Levels {
+  Field r, r_K;
+  Field normal[3];
+  Levels(Grid& grid, const Field& fill) : r{grid}, r_K{grid}, normal{Field{grid}, Field{grid}, Field{grid}} {
+    constexpr double k_no_dough = 1e-3;
+    const double dx = grid.dx();
+    Field phi{grid}, psi{grid};
+    Field direction[3] = {Field{grid}, Field{grid}, Field{grid}};
+    grid.for_each([&](const Index& i, const Node&) {
+      psi[i] = std::clamp((fill(i) - 0.2) / 0.6, 0.0, 1.0);
+      phi[i] = fill(i) < k_no_dough ? 0 : fill(i);
+    });
+    grid.for_each([&](const Index& i, const Node&) {
+      const Vector g = dx * gradient(phi, i);
+      for (int d = 0; d < 3; ++d) direction[d][i] = g[d] / std::sqrt(dot(g, g) + 0.02 * 0.02);
+    });
+    grid.for_each([&](const Index& i, const Node&) {
+      const Vector g = gradient(psi, i);
+      if (fill(i) < k_no_dough || length(g) == 0) return;
+      double divergence = 0;
+      for (int d = 0; d < 3; ++d) divergence += gradient(direction[d], i)[d], normal[d][i] = -g[d] / length(g);
+      r[i] = length(g) / fill(i);
+      r_K[i] = -r[i] * dx * divergence;
+    });
+  }
+};
+
 }  // namespace
 
 void measure_surface(const Surroundings& surroundings, Grid& grid) {
   constexpr double k_no_dough = 1e-3;
   const double dx = grid.dx();
-  Field phi{grid}, smooth{grid}, psi{grid}, free{grid}, free_bend{grid};
-  Field normal[3] = {Field{grid}, Field{grid}, Field{grid}};
+  Field phi{grid}, smooth{grid}, fill{grid}, free{grid}, free_bend{grid};
   std::vector<Behind> seen;  // what is in front of surfaces, and how much surface
   std::vector<Field> facing, facing_bend;
   grid.for_each([&](const Index& i, const Node&) { phi[i] = mirrored_volume(grid, i) / (dx * dx * dx); });
-  grid.for_each([&](const Index& i, const Node&) { smooth[i] = blurred(phi, i); });
-  grid.for_each([&](const Index& i, const Node&) { psi[i] = std::clamp((smooth[i] - 0.2) / 0.6, 0.0, 1.0); });
-  grid.for_each([&](const Index& i, const Node&) { phi[i] = smooth[i] < k_no_dough ? 0 : smooth[i]; });
   grid.for_each([&](const Index& i, const Node&) {
-    const Vector g = dx * gradient(phi, i);
-    for (int d = 0; d < 3; ++d) normal[d][i] = g[d] / std::sqrt(dot(g, g) + 0.02 * 0.02);
+    smooth[i] = fill[i] = blurred(phi, i);
+    if (smooth[i] >= k_no_dough && smooth[i] < 1) fill[i] = std::min(smooth[i] / room(surroundings, grid.position(i), dx), 1.0);
   });
-  grid.for_each([&](const Index& i, const Node&) {
-    if (smooth[i] < k_no_dough) return;
-    const Vector g = gradient(psi, i);
-    if (length(g) == 0) return;
-    const Vector outward = (-1 / length(g)) * g;
-    const double r = length(g) / smooth[i];
-    const Solid* cover = covering(surroundings, grid.position(i), &outward, 2.5 * dx);
-    const Behind behind(cover, surroundings.air);
-    double divergence = 0;
-    for (int d = 0; d < 3; ++d) divergence += gradient(normal[d], i)[d];
-    const double r_K = -r * dx * divergence;
-    free[i] = cover ? 0 : r;
-    free_bend[i] = cover ? 0 : r_K;
-    const auto same = [&](const Behind& other) { return other.beta == behind.beta && other.theta == behind.theta; };
-    const auto at = std::find_if(seen.begin(), seen.end(), same);
-    const auto number = static_cast<std::size_t>(at - seen.begin());
-    if (at == seen.end()) seen.push_back(behind), facing.push_back(Field{grid}), facing_bend.push_back(Field{grid});
-    facing[number][i] = r;
-    facing_bend[number][i] = r_K;
-  });
+  const Levels beside_air(grid, fill), beside_solids(grid, smooth);
+  for (const bool solid : {false, true}) {
+    const Levels& levels = solid ? beside_solids : beside_air;
+    grid.for_each([&](const Index& i, const Node&) {
+      if (levels.r(i) == 0) return;
+      const Vector outward{{levels.normal[0](i), levels.normal[1](i), levels.normal[2](i)}};
+      const Solid* cover = covering(surroundings, grid.position(i), &outward, 2.5 * dx);
+      if (solid != (cover != nullptr)) return;
+      if (!cover) free[i] = levels.r(i), free_bend[i] = levels.r_K(i);
+      const Behind behind(cover, surroundings.air);
+      const auto same = [&](const Behind& other) {
+        return other.is_solid == behind.is_solid && other.beta == behind.beta && other.theta == behind.theta;
+      };
+      const auto at = std::find_if(seen.begin(), seen.end(), same);
+      const auto number = static_cast<std::size_t>(at - seen.begin());
+      if (at == seen.end()) seen.push_back(behind), facing.push_back(Field{grid}), facing_bend.push_back(Field{grid});
+      facing[number][i] = levels.r(i);
+      facing_bend[number][i] = levels.r_K(i);
+    });
+  }
   grid.for_each([&](const Index& i, Node& node) {
     if (node.volume == 0) return;
     node.area = node.volume * unrounded(grid.recipe(), blurred(free, i), blurred(free_bend, i));

@@ -13,6 +13,7 @@ inline void scatter_water(const Particle& p, const Material& m, const Overlap& o
   node.water_room += o.w * m.rho_w * p.V();
   node.evaporability += o.w * m.beta_w * p.clamped_temperature() * p.V();
   node.permeability += o.w * m.rho_w * m.K * p.clamped_temperature() * p.V();
+  node.water_spread += o.w * p.V() * p.water_spread;
   node.water_flux -= o.w * p.m_w_lent;  // what subgrid diffusion gave in the last step is taken back
 }
 
@@ -34,10 +35,14 @@ inline void scatter_water_momentum(const Particle& p, const Recipe& recipe, doub
 
 /// s at the surface: what evaporates there comes through a layer of depth d,
 ///     rho K theta (s_i^2 - s^2) / (2 d) = beta_w theta (s - s_out),   a = rho K / (2 d beta_w)
-/// d is that of the nodes, or sqrt(D t) / (2 * 0.33206), D = K theta s_i, before drying has gone so deep.
-inline double surface_saturation(const Recipe& recipe, const Node& node, double s_i, double s_out, double time) {
+/// d is that of the nodes, or what a half-space has that dried since tau = 0, the integral of K theta dt, before drying has gone so deep.
+inline double surface_saturation(const Recipe& recipe, const Node& node, double s_i, double s_out, double dt) {
   if (!(node.evaporability > 0)) return s_i;
-  const double e = recipe.dx * node.evaporability, reach = std::sqrt(node.permeability * s_i / node.water_room * time) / (2 * 0.33206);
+  const double tau = node.water_spread / node.volume + dt * node.permeability / node.water_room;
+  const double h = node.permeability > 0 ? node.evaporability / node.permeability : 0, z = h * h * tau;
+  const double first = 2 / std::sqrt(std::acos(-1.)), last = 1 / (2 * 0.33206);  // of a constant flux, and of a dry surface
+  const double reach = z > 0 ? std::sqrt(s_i * tau) * (first + (last - first) * z / (z + 2.15 * s_i)) : 0;
+  const double e = recipe.dx * node.evaporability;
   const double d = std::min(layer_depth(recipe, e / (e + s_i * node.permeability)), reach);
   const double a = std::min(node.permeability / (2 * d * node.evaporability), 1e12);
   const double b = s_out + a * s_i * s_i;
@@ -49,8 +54,7 @@ inline void update_water(const Recipe& recipe, const Surroundings& surroundings,
   if (!(node.water_room > 0)) return;
   const double rate = node.volume > 0 ? node.area * node.evaporability / node.volume : 0;
   const double s_i = node.water / node.water_room;
-  const double s =
-      recipe.surface_form == Form::standard ? surface_saturation(recipe, node, s_i, surroundings.air.s_out, surroundings.time + dt) : s_i;
+  const double s = recipe.surface_form == Form::standard ? surface_saturation(recipe, node, s_i, surroundings.air.s_out, dt) : s_i;
   const double after_flux = node.water + node.water_flux;
   node.evaporated = std::min(dt * rate * (s - surroundings.air.s_out), std::max(after_flux, 0.0));
   const double kept = std::max(after_flux - node.evaporated, 0.0);
@@ -82,6 +86,7 @@ inline void take_water(const SeenWater& seen, const Recipe& recipe, const Materi
   const double diffusivity = m.K * p.clamped_temperature() * p.m_w / (m.rho_w * p.V());
   p.m_w_lent = evened_out(recipe.water_subgrid, diffusivity, dt, recipe.dx) * (room * seen.s - p.m_w);
   p.m_w += p.m_w_lent;
+  p.water_spread += dt * m.K * p.clamped_temperature();
   p.q = (-m.K * p.clamped_temperature() * p.m_w / p.V()) * seen.grad_s;
 }
 

@@ -53,14 +53,29 @@ RigidState RigidPath::at(double time_s) const {
   return waiting;
 }
 
-double RigidPath::largest_speed(const Box3& box) const {
+double RigidPath::largest_speed(const Box3& box, const Box3& region) const {
   double largest = 0;
-  for (const Leg& leg : legs_) {
-    double turning = 0;  // of the fastest corner about the pivot; constant over the leg
-    if (length(leg.angular_velocity) > 0 && !finite(box)) return k_infinity;
-    for (int corner = 0; corner < 8 && length(leg.angular_velocity) > 0; ++corner) {
-      const Point x = {corner & 1 ? box.high[0] : box.low[0], corner & 2 ? box.high[1] : box.low[1], corner & 4 ? box.high[2] : box.low[2]};
-      turning = std::max(turning, length(cross(leg.angular_velocity, matrix(leg.orientation) * (x - pivot_))));
+  for (std::size_t i = 0; i < legs_.size(); ++i) {
+    const Leg& leg = legs_[i];
+    double turning = 0;  // about the pivot
+    if (length(leg.angular_velocity) > 0) {
+      const auto fastest = [&](const Box3& corners, auto from_pivot) {
+        double speed = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+          const Point x = {(corner & 1 ? corners.high : corners.low)[0], (corner & 2 ? corners.high : corners.low)[1],
+                           (corner & 4 ? corners.high : corners.low)[2]};
+          speed = std::max(speed, length(cross(leg.angular_velocity, from_pivot(x))));
+        }
+        return speed;
+      };
+      turning = k_infinity;
+      if (finite(box)) turning = fastest(box, [&](const Point& x) { return matrix(leg.orientation) * (x - pivot_); });
+      if (finite(region)) {  // the pivot goes straight, so that the distance to a corner is largest at an end of the leg
+        const Vector3 end = i + 1 < legs_.size() ? legs_[i + 1].offset : leg.offset;
+        const double there = std::max(fastest(region, [&](const Point& x) { return x - pivot_ - leg.offset; }),
+                                      fastest(region, [&](const Point& x) { return x - pivot_ - end; }));
+        turning = std::min(turning, there);
+      }
     }
     largest = std::max(largest, length(leg.velocity) + turning);
   }

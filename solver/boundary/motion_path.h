@@ -47,9 +47,9 @@ class RigidPath {
   RigidPath() = default;                                             ///< at rest where drawn
   RigidPath(const std::vector<Keyframe>& keys, const Point& pivot);  ///< throws std::invalid_argument if times do not rise
   RigidState at(double time_s) const;
-  /// Bound on the speed of any point of `box` (drawn frame) over the whole path [m/s]; exact without rotation or
-  /// without translation. Infinite if an infinite box turns.
-  double largest_speed(const Box3& box) const;
+  /// Bound on the speed over the whole path of any point of `box` (drawn frame) that is in `region` (world) at the time [m/s]. It is exact
+  /// without rotation, and without translation if the box decides. Either may be infinite; if both are and the path turns, the bound is.
+  double largest_speed(const Box3& box, const Box3& region) const;
   bool moves() const { return legs_.size() > 1; }
 
  private:

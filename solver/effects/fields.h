@@ -48,6 +48,8 @@ BAKE_FIELD(theta_lent, LentTemperature, 1, "lent_temperature", "K",
 BAKE_FIELD(grad_theta, TemperatureGradient, 3, "temperature_gradient", "C/m", "grad theta at the particle [Ding19 Sec. 6.3]");
 BAKE_FIELD(m_w, WaterMass, 1, "water_mass", "kg", "m_p^w: mass of the water [Ding19 Eq. 19]");
 BAKE_FIELD(m_w_lent, LentWater, 1, "lent_water", "kg", "what subgrid diffusion gave in this step; the nodes take it back in the next");
+BAKE_FIELD(w_spread, WaterSpread, 1, "water_spread", "m^2",
+           "integral of K theta dt: water has come from as far as the root of it times s, whatever the temperature was meanwhile");
 BAKE_FIELD(q, WaterFlux, 3, "water_flux", "kg/(m^2 s)", "q_p = -K theta rho_w grad s: water's flux through the solid [Ding19 Eq. 22]");
 BAKE_FIELD(Q, WaterMomentum, 3, "water_momentum", "kg m/s", "V q: momentum of the water relative to its solid [Ding19 Eq. 25]");
 BAKE_FIELD(Q_old, ScatteredWaterMomentum, 3, "scattered_water_momentum", "kg m/s", "V q of the step before, which the nodes know");
@@ -65,6 +67,7 @@ BAKE_FIELD(water_change, WaterChange, 1, "water change", "kg", "dm_i^w: water th
 BAKE_FIELD(water_capacity, WaterCapacity, 1, "water capacity", "kg", "water that would fill the node, sum of w V rho_0^w");
 BAKE_FIELD(evaporability, Evaporability, 1, "evaporability", "kg m/s", "sum of w V beta_w theta [Ding19 Sec. 6.2]");
 BAKE_FIELD(permeability, Permeability, 1, "permeability", "kg m^2/s", "sum of w V rho_0^w K theta: how readily water comes to the surface");
+BAKE_FIELD(water_spread, WaterSpread, 1, "water spread", "m^5", "sum of w V times the integral of K theta dt: how deep drying has come");
 BAKE_FIELD(volume, Volume, 1, "volume", "m^3", "V_i: sum of w V [Ding19 Eq. 18]");
 BAKE_FIELD(heat_capacity, HeatCapacity, 1, "heat capacity", "J/K", "c_i: sum of w c");
 BAKE_FIELD(heat_content, HeatContent, 1, "heat content", "J", "sum of w c theta");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "solver/core/kernel_order.h"
 #include "solver/core/parameter.h"
 #include "solver/core/step_limit.h"
 #include "solver/core/symmetric.h"
@@ -38,7 +39,8 @@ struct Motion : Effect {
     double inertia_scale = 1;
     static constexpr auto parameters() {
       return std::tuple{
-          Parameter{"transfer", &Settings::transfer, "", any_number, "velocity transfer between particles and grid"},
+          Parameter{"transfer", &Settings::transfer, "", any_number,
+                    "velocity transfer between particles and grid; \"apic\" keeps spin, \"pic\" and \"flip\" lose it with every step"},
           Parameter{"flip_blend", &Settings::flip_blend, "1", fraction, "share of FLIP in a FLIP/PIC blend (transfer = \"flip\")"},
           Parameter{"gravity_m_per_s2", &Settings::gravity_m_per_s2, "m/s^2", any_number, "acceleration of gravity"},
           Parameter{"inertia_scale", &Settings::inertia_scale, "1", positive,
@@ -57,12 +59,14 @@ struct Motion : Effect {
   template <class Real>
   struct Constants {
     Real affine, flip, inertia;
+    Real room;  ///< volume with which a particle alone fills its nodes [m^3]
     template <class Scene, class SceneMaterial>
     Constants(const Scene& scene, const SceneMaterial&) {
       const auto& settings = scene.settings.template get<Settings>();
       affine = settings.transfer == Transfer::apic;
       flip = settings.transfer == Transfer::flip ? static_cast<Real>(settings.flip_blend) : Real(0);
       inertia = static_cast<Real>(settings.inertia_scale);
+      room = static_cast<Real>(std::pow(scene.dx() / (scene.grid.kernel == KernelOrder::quadratic ? 11. / 20 : 151. / 315), 3));
     }
   };
 
@@ -83,6 +87,10 @@ struct Motion : Effect {
   static void fill(auto& p, int lane, const auto&) { p[field::J][lane] = 1; }
 
   /// x += dt v, J *= det(I + dt C), with v and C = grad v of the nodes around.
+  /// A particle that is alone on its nodes gets back the C that it gave: a memory that tells nothing of the dough around, by which J would
+  /// grow without end where no stress resists (torn, with open pores). But its nodes' room is bounded: sum w w V / dx^3 is the share of it
+  /// that the particle fills itself, 0.03 in fresh dough, and the dough is in pieces long before it is 1. There, V = dx^3 / (integral of
+  /// N^2)^3 on average over the places in a cell, it opens no further, and forgets that it did. Its momenta stay.
   BAKE_INLINE static void gather(auto& p, const auto& from, const auto& k, const auto& step, auto&) {
     using P = std::decay_t<decltype(p)>;
     for (int i = 0; i < 3; ++i) {
@@ -94,11 +102,17 @@ struct Motion : Effect {
         p[field::v][i] = v;
       for (int j = 0; j < 3; ++j) p[field::C][3 * i + j] = from.gradient(channel::velocity, i, j);
     }
-    const auto& C = p[field::C];
+    auto& C = p[field::C];
     const auto a = [&](int i, int j) { return i == j ? 1 + step.dt * C[3 * i + j] : step.dt * C[3 * i + j]; };
     p[field::J_before] = p[field::J];
-    p[field::J] *= a(0, 0) * (a(1, 1) * a(2, 2) - a(1, 2) * a(2, 1)) - a(0, 1) * (a(1, 0) * a(2, 2) - a(1, 2) * a(2, 0)) +
-                   a(0, 2) * (a(1, 0) * a(2, 1) - a(1, 1) * a(2, 0));
+    const auto opened =
+        p[field::J] * (a(0, 0) * (a(1, 1) * a(2, 2) - a(1, 2) * a(2, 1)) - a(0, 1) * (a(1, 0) * a(2, 2) - a(1, 2) * a(2, 0)) +
+                       a(0, 2) * (a(1, 0) * a(2, 1) - a(1, 1) * a(2, 0)));
+    const auto widest = max(p[field::J], k.room / p[field::V_0]);
+    const auto full = opened > widest;
+    p[field::J] = full ? widest : opened;
+    const auto opening = full ? max(C[0] + C[4] + C[8], 0 * opened) * (1 / typename P::Real(3)) : 0 * opened;
+    for (int i = 0; i < 9; i += 4) C[i] -= opening;
   }
 
   /// w m (v + C r) - dt V_0 tau D^-1 w r; tau is the Kirchhoff stress of the whole mixture.   [Ding19 Eq. 26-27]

@@ -21,6 +21,8 @@ struct ParticleOfEverything {
                 field::WaterMass, field::LentWater, field::ProducedGas, field::Leavener>;
   template <class F>
   static constexpr bool has = true;
+  template <class F>
+  static constexpr bool stores = true;
 
   V numbers[Fields::width] = {};
   V stiffness{};

@@ -2,6 +2,7 @@
 // Water: Fick diffusion relative to the solid, evaporation, water stress. [Ding19 Sec. 3.2, 5.5, 6.2]
 #pragma once
 
+#include <numbers>
 #include <string>
 
 #include "solver/core/parameter.h"
@@ -72,10 +73,11 @@ struct Water : Effect {
     }
   };
 
-  using Stored = FieldList<field::WaterMass>;
+  using Stored = FieldList<field::WaterMass, field::WaterSpread>;
   using Transient = FieldList<field::WaterFlux, field::LentWater>;
   using Moments = FieldList<channel::WaterChange>;
-  using Values = FieldList<channel::NodeWaterMass, channel::WaterCapacity, channel::Evaporability, channel::Permeability>;
+  using Values =
+      FieldList<channel::NodeWaterMass, channel::WaterCapacity, channel::Evaporability, channel::Permeability, channel::WaterSpread>;
   using Gathered = FieldList<channel::WaterLoss, channel::WaterGain, channel::Saturation>;
   using Booked =
       FieldList<booked::Evaporated, booked::WaterLimited, booked::LatentHeat, booked::VapourHeat, booked::RemapHeat, booked::RemapMomentum>;
@@ -126,6 +128,7 @@ struct Water : Effect {
     const double rho_w = start.material.effects.template get<Material>().water_density_kg_per_m3;
     p[field::m_s][lane] = static_cast<Real>(start.volume * (start.material.density_kg_per_m3 - rho_w * start.material.initial_saturation));
     p[field::m_w][lane] = static_cast<Real>(start.volume * rho_w * start.saturation);
+    p[field::w_spread][lane] = 0;
   }
 
   /// Water does not move below 0 C.
@@ -149,6 +152,7 @@ struct Water : Effect {
     p[field::m_w] += gained;
     p[field::m_w_lent] = Heat::evened_out(diffusivity(p, k), k.subgrid, step) * (room * from.value(channel::saturation) - p[field::m_w]);
     p[field::m_w] += p[field::m_w_lent];
+    p[field::w_spread] += step.dt * k.K * clamped_temperature(p);
     if constexpr (P::template has<field::Temperature>)
       report.book(booked::remap_heat, k.heat * gained * (p[field::theta] - p[field::theta_lent]));
     if constexpr (P::template has<field::Velocity>)
@@ -173,6 +177,7 @@ struct Water : Effect {
     to.value(channel::water_capacity) += k.rho_w * p.volume();
     to.value(channel::evaporability) += k.beta_w * clamped_temperature(p) * p.volume();
     to.value(channel::permeability) += k.rho_w * k.K * clamped_temperature(p) * p.volume();
+    to.value(channel::water_spread) += p.volume() * p[field::w_spread];
     to.value(channel::water_change) -= p[field::m_w_lent];
     for (int j = 0; j < 3; ++j) to.moment(channel::water_change, 0, j) += moment * p[field::q][j];
   }
@@ -187,13 +192,22 @@ struct Water : Effect {
     if (D > 0) limit.at_most(at.safety * at.diffusion * at.dx * at.dx / D, "water diffusion");
   }
 
-  static constexpr double k_reach = 1 / (2 * 0.33206);
+  /// How deep a layer resists while drying has not gone as deep as the nodes are. In tau, the integral of K theta dt, and with h = beta_w /
+  /// (rho K), the half-space that dries into dry air, s_tau = (s s_x)_x with s s_x = h s at its surface, is one problem for all dough and
+  /// every course of its temperature. So d = (s_i^2 - s^2) / (2 h s) of its solution is sqrt(s_i tau) times a function of h^2 tau / s_i
+  /// alone. That begins with 2 / sqrt(pi), a constant flux, and ends with 1 / (2 * 0.33206), a dry surface. Between, finite volumes give
+  /// the form below within 0.6 %.
+  template <class V>
+  BAKE_INLINE static V reach(V s_i, V spread, V h) {
+    using Real = std::decay_t<decltype(h[0])>;
+    constexpr double k_first = 2 * std::numbers::inv_sqrtpi, k_last = 1 / (2 * 0.33206), k_half_way = 2.15;
+    const V z = h * h * spread, dried = z / (z + Real(k_half_way) * s_i + std::numeric_limits<Real>::min());
+    return sqrt(s_i * spread) * (Real(k_first) + Real(k_last - k_first) * dried);
+  }
 
   /// s at the surface, where as much evaporates as comes through the layer of depth d between the nodes and the surface:
-  ///     rho K theta (s_i^2 - s^2) / (2 d) = beta_w theta (s - s_out).
-  /// d is that of the nodes, or k_reach sqrt(D t), D = K theta s_i, before drying has gone so deep: when the surface of a half-space is dry
-  /// from t = 0 on, 0.3321 rho s_i sqrt(D / t) leaves (similarity solution of s_t = (D/s_i s s_x)_x). `evaporability`: V beta_w theta;
-  /// `permeability`: V rho K theta.
+  ///     rho K theta (s_i^2 - s^2) / (2 d) = beta_w theta (s - s_out),
+  /// d being that of the nodes, or `reach` before drying has gone so deep. `evaporability`: V beta_w theta; `permeability`: V rho K theta.
   template <class V, class Real>
   BAKE_INLINE static V surface_saturation(V s_i, V s_out, V evaporability, V permeability, V reach, const SurfaceLayer<Real>& layer) {
     const V e = layer.dx * evaporability, tiny = 0 * e + std::numeric_limits<Real>::min();
@@ -215,10 +229,10 @@ struct Water : Effect {
     const auto after_flux = m + flux;
     const auto s_i = filled ? m / capacity : none;
     const auto permeability = node[channel::permeability];
-    const auto D = filled ? permeability * s_i / capacity : none;
-    const auto elapsed = static_cast<std::decay_t<decltype(step.dt)>>(step.time) + step.dt;
-    const auto reach = static_cast<std::decay_t<decltype(step.dt)>>(k_reach) * sqrt(elapsed * D);
-    const auto s = surface_saturation(s_i, around.saturation, node[channel::evaporability], permeability, reach, k.layer);
+    // to the end of the step
+    const auto spread = filled ? node[channel::water_spread] / node[channel::volume] + step.dt * permeability / capacity : none;
+    const auto h = permeability > 0 ? node[channel::evaporability] / permeability : none;
+    const auto s = surface_saturation(s_i, around.saturation, node[channel::evaporability], permeability, reach(s_i, spread, h), k.layer);
     const auto wanted = filled ? rate * (s - around.saturation) : none;
     const auto evaporated = min(wanted, max(after_flux, none));
     const auto kept = max(after_flux - evaporated, none);

@@ -22,9 +22,18 @@ Vector3 contact(Vector3 relative, const Vector3& n, bool sticky, bool separating
   return kept * tangential;
 }
 
+/// The integral of the quadratic B-spline from `d` on.
+double beyond(double d) {
+  const double a = std::min(std::abs(d), 1.5);
+  const double rest = a <= 0.5 ? 0.5 - a * (0.75 - a * a / 3) : (1.5 - a) * (1.5 - a) * (1.5 - a) / 6;
+  return d > 0 ? rest : 1 - rest;
+}
+
 }  // namespace
 
-Contacts::Contacts(const Scene& scene, const GridGeometry& geometry) : face_friction_(scene.domain.friction), geometry_(geometry) {
+Contacts::Contacts(const Scene& scene, const GridGeometry& geometry)
+    : face_friction_(scene.domain.friction), geometry_(geometry), has_colliders_(!scene.colliders.empty()) {
+  const Box3 domain{scene.domain.min_m, scene.domain.max_m};
   for (const Collider& c : scene.colliders) {
     const Rule rule = c.contact == Contact::sticky ? Rule::sticky : c.contact == Contact::slip ? Rule::slip : Rule::separating;
     const RigidPath path(c.motion, c.pivot_m);
@@ -34,7 +43,7 @@ Contacts::Contacts(const Scene& scene, const GridGeometry& geometry) : face_fric
                     c.expels,
                     c.temperature_C,
                     c.heat_transfer_coefficient_W_per_m2K,
-                    path.moves() ? path.largest_speed(c.shape->bounds()) : 0});
+                    path.moves() ? path.largest_speed(c.shape->bounds(), domain) : 0});
   }
   for (const Grip& g : scene.grips) {
     const RigidPath path(g.motion, g.pivot_m);
@@ -44,7 +53,7 @@ Contacts::Contacts(const Scene& scene, const GridGeometry& geometry) : face_fric
                     false,
                     g.temperature_C,
                     0,
-                    path.moves() ? path.largest_speed(g.shape->bounds()) : 0});
+                    path.moves() ? path.largest_speed(g.shape->bounds(), domain) : 0});
     holds_temperatures_ |= g.temperature_C.has_value();
   }
   const Face faces[6] = {scene.domain.x_min, scene.domain.x_max, scene.domain.y_min,
@@ -83,6 +92,11 @@ bool Contacts::near(const BlockIndex& block, double reach) const {
   return std::any_of(present_.begin(), present_.end(), [&](const Present& p) { return reaches(p, block, reach); });
 }
 
+bool Contacts::collider_near(const BlockIndex& block, double reach) const {
+  return std::any_of(present_.begin(), present_.end(),
+                     [&](const Present& p) { return p.contact->rule != Rule::grip && reaches(p, block, reach + touching()); });
+}
+
 bool Contacts::expels_near(const BlockIndex& block, double reach) const {
   return expels_ && std::any_of(present_.begin(), present_.end(),
                                 [&](const Present& p) { return p.contact->expels && reaches(p, block, reach + touching()); });
@@ -103,8 +117,8 @@ bool Contacts::reaches(const Present& p, const Point& x, double reach) {
   return p.contact->scripted.distance(p.pose, x) <= reach;
 }
 
-Vector3 Contacts::velocity_beside(const Present& p, const Point& x, const Vector3& v) const {
-  const Vector3 wall = p.pose.velocity_at(x);
+Vector3 Contacts::velocity_beside(const Present& p, const Point& x, const Vector3& v, const Vector3& line) {
+  const Vector3 wall = p.pose.velocity_at(x) + line;
   const Rule rule = p.contact->rule;
   if (rule == Rule::sticky || rule == Rule::grip) return wall;
   const bool separating = rule == Rule::separating;
@@ -125,9 +139,50 @@ bool Contacts::push_out(Point& x, Vector3& v) const {
   return inside;
 }
 
-Vector3 Contacts::velocity_after(const Point& x, Vector3 v) const {
-  for (const Present& p : present_)
-    if (reaches(p, x, touching())) v = velocity_beside(p, x, v);
+std::optional<Vector3> Contacts::line(const Present& p, const Point& x, const NodesAround& around) const {
+  const double dx = geometry_.dx();
+  const Vector3 n = p.contact->scripted.normal(p.pose, x);
+  std::size_t axis = 0;
+  for (std::size_t d = 1; d < 3; ++d)
+    if (std::abs(n[d]) > std::abs(n[axis]) + 1e-6) axis = d;
+  const int outward = n[axis] > 0 ? 1 : -1;
+  const auto place = [&](int steps) {
+    Point y = x;
+    y[axis] += steps * outward * dx;
+    return y;
+  };
+  const auto distance = [&](int steps) { return p.contact->scripted.distance(p.pose, place(steps)) / dx; };
+  const auto node = [&](int steps) { return around.at(static_cast<int>(axis), steps * outward); };
+  constexpr int k_furthest = 6;  // from -2 dx, at |n| = 1 / sqrt(3)
+  int k = 0;
+  double d_k = distance(0);
+  const double d = d_k;
+  if (d < -2) return std::nullopt;
+  while (d_k < 1 - 1e-6 && k < k_furthest) d_k = distance(++k);
+  const NodeState free = node(k);
+  if (d_k < 1 - 1e-6 || !(free.mass > 0)) return std::nullopt;
+  // what dough would leave of the column if it filled it, less what there is, in units of the mass of node k
+  double gap = 0, last = d_k;
+  for (int j = k - 1; k - j <= k_furthest; --j) {
+    const double d_j = distance(j);
+    if (d_j >= last || d_j < -1.5) break;
+    gap += 1 - beyond(d_j) - node(j).mass / free.mass * (1 - beyond(d_k));
+    last = d_j;
+  }
+  constexpr double k_touching = 0.1, k_too_much = -0.55;  // of a node distance; more than fits: node k is not within the dough
+  if (!(gap < k_touching && gap > k_too_much)) return std::nullopt;
+  return (d / d_k) * (free.velocity - p.pose.velocity_at(place(k)));
+}
+
+Vector3 Contacts::velocity_after(const Point& x, Vector3 v, const NodesAround* around) const {
+  for (const Present& p : present_) {
+    const bool between_nodes = around && p.contact->rule != Rule::grip && !p.contact->expels;
+    if (!reaches(p, x, between_nodes ? (1 - 1e-6) * geometry_.dx() : touching())) continue;
+    if (const auto on_line = between_nodes ? line(p, x, *around) : std::nullopt)
+      v = velocity_beside(p, x, v, *on_line);
+    else if (reaches(p, x, touching()))
+      v = velocity_beside(p, x, v);
+  }
   for (const DomainFace& f : faces_) {
     const double inside = f.sign * (x[static_cast<std::size_t>(f.axis)] - f.at);
     if (inside > touching()) continue;
@@ -141,11 +196,25 @@ Vector3 Contacts::velocity_after(const Point& x, Vector3 v) const {
 std::optional<ContactHeat> Contacts::covering(const Point& x, const std::optional<Vector3>& n, double reach) const {
   for (const Present& p : present_) {
     if (p.contact->rule == Rule::grip || !reaches(p, x, reach)) continue;
-    if (n && dot(p.contact->scripted.normal(p.pose, x), *n) > -0.5) continue;  // the surface looks elsewhere
+    if (n) {
+      const auto distance = [&](const Point& y) { return p.contact->scripted.distance(p.pose, y); };
+      const bool ahead = distance(x) - distance(x + reach * *n) >= reach / 2 || dot(p.contact->scripted.normal(p.pose, x), *n) <= -0.5;
+      if (!ahead) continue;  // the surface looks elsewhere
+    }
     if (!p.contact->temperature) return ContactHeat{};
     return ContactHeat{p.contact->heat_transfer_coefficient, p.temperature};
   }
   return std::nullopt;
+}
+
+double Contacts::room(const Point& x) const {
+  double room = 1;
+  for (const Present& p : present_) {
+    if (p.contact->rule == Rule::grip || !reaches(p, x, 2.5 * geometry_.dx())) continue;
+    const double d = p.contact->scripted.distance(p.pose, x) / geometry_.dx();
+    room *= 1 - (beyond(d - 1) + 2 * beyond(d) + beyond(d + 1)) / 4;
+  }
+  return room;
 }
 
 std::optional<HeldNear> Contacts::held_near(const Point& x, double reach) const {

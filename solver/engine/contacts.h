@@ -25,6 +25,20 @@ struct HeldNear {
   double temperature, distance;
 };
 
+/// A node before contact.
+struct NodeState {
+  double mass = 0;  ///< [kg]
+  Vector3 velocity{0, 0, 0};
+};
+
+/// The nodes along the axes through one node.
+class NodesAround {
+ public:
+  virtual ~NodesAround() = default;
+  /// Of the node that is `steps` node distances further along `axis`; without mass where there is none.
+  virtual NodeState at(int axis, int steps) const = 0;
+};
+
 class Contacts final : public Obstacles {
  public:
   Contacts(const Scene& scene, const GridGeometry& geometry);
@@ -33,16 +47,32 @@ class Contacts final : public Obstacles {
   void prepare(double time);
   /// Does anything touch the block or lie within `reach` of it?
   bool near(const BlockIndex& block, double reach) const;
+  /// Does a collider lie within `reach` of the block?
+  bool collider_near(const BlockIndex& block, double reach) const;
   /// Is there something that expels particles within `reach` of the block?
   bool expels_near(const BlockIndex& block, double reach) const;
   bool push_out(Point& x, Vector3& v) const override;
-  /// Applies every contact to a node: returns the velocity after contact.
-  Vector3 velocity_after(const Point& x, Vector3 v) const;
-  /// Does a solid stand within `reach` of a surface at `x`, in front of its outward normal `n` if that is known? Its heat, zero if
-  /// it gives none.
+  /// Applies every contact to a node: returns the velocity after contact. `around`: the nodes around one that may be beside a collider
+  /// (see reach_beside_colliders), before contact.
+  ///
+  /// A collider's face lies between nodes. Where dough touches it, the dough's velocity relative to it goes to zero at the face, in
+  /// proportion to the distance d, and nodes on both sides have their place on that line: with v_k of the first node of the column along
+  /// the axis nearest to the normal that is at least dx away, (d / d_k) v_k. The contact's rule acts on what departs from the line. Were
+  /// only nodes inside moved, with the velocity of the collider, the last layer of dough, which nothing holds but the next node inside,
+  /// would be squashed before the rest is pressed. Whether dough touches is known from the mass of the column's nodes beside that of node
+  /// k.
+  Vector3 velocity_after(const Point& x, Vector3 v, const NodesAround* around = nullptr) const;
+  /// All nodes that contact with a collider depends on are no further from it than this [m].
+  double reach_beside_colliders() const { return 2.1 * geometry_.dx(); }
+  /// Does a solid stand within `reach` of a surface at `x`, in front of its outward normal `n` if that is known: does its nearest face look
+  /// against n, or is a face nearer by reach / 2 if one goes that far along n, as where walls meet? Its heat, zero if it gives none.
   std::optional<ContactHeat> covering(const Point& x, const std::optional<Vector3>& n, double reach) const;
+  /// The share that colliders leave to the dough of what is averaged into phi~ at `x` (surface.h): 1 from 2.5 dx on, one half on the
+  /// face of one, 0 inside. Grips take nothing, since they hold dough.
+  double room(const Point& x) const;
   /// The nearest grip that holds a temperature, if one is within `reach` of `x`; distances in it are negative.
   std::optional<HeldNear> held_near(const Point& x, double reach) const;
+  bool has_colliders() const { return has_colliders_; }
   bool holds_temperatures() const { return holds_temperatures_; }
   /// Fastest collider or grip at present [m/s].
   double largest_speed() const { return largest_speed_; }
@@ -58,7 +88,7 @@ class Contacts final : public Obstacles {
     bool expels;
     std::optional<Curve> temperature;
     double heat_transfer_coefficient;
-    double speed;  ///< largest over its whole path [m/s]
+    double speed;  ///< largest in the domain over its whole path [m/s]
   };
   struct Present {
     const Contacting* contact;
@@ -69,7 +99,10 @@ class Contacts final : public Obstacles {
   bool reaches(const Present& present, const BlockIndex& block, double reach) const;
   /// Is `x` in it, or no further away than `reach`?
   static bool reaches(const Present& present, const Point& x, double reach);
-  Vector3 velocity_beside(const Present& present, const Point& x, const Vector3& v) const;
+  /// `line`: the velocity relative to the solid that dough has there which touches it.
+  static Vector3 velocity_beside(const Present& present, const Point& x, const Vector3& v, const Vector3& line = {0, 0, 0});
+  /// That line at a node, none if no dough touches the collider there.
+  std::optional<Vector3> line(const Present& present, const Point& x, const NodesAround& around) const;
   /// A node this close to a solid is in it: faces are often drawn through nodes, whose positions are rounded [m].
   double touching() const { return 1e-6 * geometry_.dx(); }
 
@@ -85,7 +118,7 @@ class Contacts final : public Obstacles {
   std::vector<DomainFace> faces_;
   double face_friction_;
   const GridGeometry geometry_;
-  bool holds_temperatures_ = false;
+  bool has_colliders_ = false, holds_temperatures_ = false;
   double largest_speed_ = 0;
   bool expels_ = false;
 };

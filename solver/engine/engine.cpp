@@ -25,7 +25,7 @@ template <class Real>
 Step<Real> Engine<Real>::current_step() const {
   const double dx = geometry_.dx();
   const double inverse_d = scene_.grid.kernel == KernelOrder::quadratic ? 4 : 3;
-  return {static_cast<Real>(dt_), static_cast<Real>(dt_), static_cast<Real>(dx), static_cast<Real>(inverse_d / (dx * dx)), time_};
+  return {static_cast<Real>(dt_), static_cast<Real>(dt_), static_cast<Real>(dx), static_cast<Real>(inverse_d / (dx * dx))};
 }
 
 template <class Real>
@@ -75,6 +75,9 @@ double Engine<Real>::next_step(double from, double target, double next_target) {
     throw RunError(fmt::format("stability asks for a step of {:.3g} s ({}), below time.smallest_step_s, in step {} at t = {:.6g} s",
                                limit.dt, limit.reason, counters_.steps, time_));
   if (!(left > 0)) return 0;
+  if (!(from + limit.dt > from))
+    throw RunError(fmt::format("stability asks for a step of {:.3g} s ({}), by which time does not advance, in step {} at t = {:.6g} s",
+                               limit.dt, limit.reason, counters_.steps, time_));
   if (!(limit.dt < left)) return left;
   return left / std::ceil(left / limit.dt);  // equal steps up to the target
 }

@@ -75,6 +75,9 @@ class Engine {
   BlockWork<Real> work(const Step<Real>& step);
   void update_grid();
   void update_block(std::size_t slot, const Air& air, const Step<Real>& step, Budget& booked);
+  void find_fall(Lanes<Real> (&dv)[3]) const;
+  class Around;
+  void touch_colliders();
   void measure_published_surface(const Air& air);
   bool is_empty(const Real* scattered) const;
   // of a block's nodes, pack by pack: surroundings, sums and channels
@@ -118,7 +121,8 @@ class Engine {
   std::vector<Budget> block_budgets_;       ///< of the grid's blocks in an update
   ImplicitHeat<Real> implicit_heat_;
   std::vector<Real> heat_weight_, heat_transfer_;  ///< of the nodes, for backward Euler
-  std::vector<NodeSums<Real>> sums_;               ///< of the nodes, W at a time, for backward Euler with water
+  std::vector<NodeSums<Real>> sums_;               ///< of the nodes, W at a time
+  std::vector<char> beside_collider_;              ///< by slot: contact follows when all nodes are known
 
   double time_ = 0, dt_ = 0;
   std::int64_t next_identity_ = 0;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The grid update: from what particles scattered to what they will gather, and its books.
+#include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "solver/core/parallel.h"
@@ -80,12 +82,15 @@ void Engine<Real>::update_grid() {
   gathered_.resize_and_forget(nodes * static_cast<std::size_t>(gathered_row()));
   const bool implicit = physics_->implicit_heat;
   if (implicit) heat_weight_.assign(nodes, Real(0)), heat_transfer_.assign(nodes, Real(0));
-  if (implicit && physics_->moves_mass) sums_.resize(blocks * k_packs<Real>);
   block_budgets_.resize(blocks);
+  beside_collider_.assign(blocks, 0);
+  const bool keeps_sums = (physics_->moves && contacts_.has_colliders()) || (implicit && physics_->moves_mass);
+  if (keeps_sums) sums_.resize(blocks * k_packs<Real>);
   for_each_parallel(blocks, 16, [&](std::size_t s) {
     block_budgets_[s] = {};
     if (active_.touched[s]) update_block(s, air, step, block_budgets_[s]);
   });
+  touch_colliders();
   if (implicit) {
     const BlockWork<Real> w = work(step);
     booked_[static_cast<std::size_t>(physics_->heat_entry)] +=
@@ -119,7 +124,7 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
   BlockSurroundings<Real> surface;
   const bool has_surface = physics_->needs_surface && surface_.surround(s, active_, air, surface);
   Lanes<Real> in[k_most_channels], dv[3];
-  for (std::size_t d = 0; d < 3; ++d) dv[d] = lanes<Real>(static_cast<Real>(dt_ * physics_->gravity[d] / physics_->inertia_scale));
+  find_fall(dv);
   Lanes<Real> out[k_packs<Real>][k_most_channels];
   NodeSums<Real> sums[k_packs<Real>];
   for (int pack = 0; pack < k_packs<Real>; ++pack) {
@@ -138,22 +143,87 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
       std::memcpy(&heat_transfer_[node], &around.heat_transfer, sizeof(Lanes<Real>));
     }
   }
-  if (force_) change_velocities(s, sums, out, booked, [&](const Point& x, const Vector3& v) { return force_(x, v, time_, dt_); });
-  if (physics_->moves && at_contact)
-    change_velocities(s, sums, out, booked, [&](const Point& x, const Vector3& v) { return contacts_.velocity_after(x, v); });
+  if (force_) change_velocities(s, sums, out, booked, [&](int, const Point& x, const Vector3& v) { return force_(x, v, time_, dt_); });
+  beside_collider_[s] = physics_->moves && contacts_.collider_near(active_.at[s], contacts_.reach_beside_colliders());
+  if (physics_->moves && at_contact && !beside_collider_[s])
+    change_velocities(s, sums, out, booked, [&](int, const Point& x, const Vector3& v) { return contacts_.velocity_after(x, v); });
   for (std::size_t pack = 0; pack < k_packs<Real>; ++pack) kernel_->put_nodes(out[pack], rows + pack * W * RG);
-  if (physics_->moves) book_momentum(s, sums, out, dv, booked);
-  if (physics_->temperature_channel >= 0 && physics_->moves_mass) {
-    if (physics_->implicit_heat)
-      std::copy(sums, sums + k_packs<Real>, &sums_[s * k_packs<Real>]);  // until the temperatures are known
-    else
-      book_moved_heat(
-          sums, [&](int pack) { return out[pack][physics_->temperature_channel]; }, booked);
-  }
+  if (physics_->moves && !beside_collider_[s]) book_momentum(s, sums, out, dv, booked);
+  if (beside_collider_[s] || (physics_->implicit_heat && physics_->moves_mass))
+    std::copy(sums, sums + k_packs<Real>, &sums_[s * k_packs<Real>]);
+  if (physics_->temperature_channel >= 0 && physics_->moves_mass && !physics_->implicit_heat)
+    book_moved_heat(
+        sums, [&](int pack) { return out[pack][physics_->temperature_channel]; }, booked);
   if (has_surface) {
     booked[k_area_entry] += sum_over_block(surface.area);
     booked[k_contact_area_entry] += sum_over_block(surface.contact_area);
   }
+}
+
+/// What gravity adds to velocities.
+template <class Real>
+void Engine<Real>::find_fall(Lanes<Real> (&dv)[3]) const {
+  for (std::size_t d = 0; d < 3; ++d) dv[d] = lanes<Real>(static_cast<Real>(dt_ * physics_->gravity[d] / physics_->inertia_scale));
+}
+
+/// The nodes around one of a block beside a collider, before contact.
+template <class Real>
+class Engine<Real>::Around final : public NodesAround {
+ public:
+  Around(const Engine& engine, std::size_t slot, int node) : engine_(engine), block_(engine.active_.at[slot]), node_(node) {}
+  NodeState at(int axis, int steps) const override {
+    auto c = coordinates_in_block(node_);
+    BlockIndex block = block_;
+    int* const b[3] = {&block.x, &block.y, &block.z};
+    const int along = c[static_cast<std::size_t>(axis)] + steps;
+    *b[axis] += along >> 2;
+    c[static_cast<std::size_t>(axis)] = along & 3;
+    const std::int32_t found = engine_.active_.slot_at(block, engine_.geometry_);
+    if (found < 0 || !engine_.beside_collider_[static_cast<std::size_t>(found)]) return {};
+    const auto slot = static_cast<std::size_t>(found);
+    const int node = node_in_block(c[0], c[1], c[2]);
+    const Real* v = engine_.gathered_.data() +
+                    (slot * k_block_nodes + static_cast<std::size_t>(node)) * static_cast<std::size_t>(engine_.gathered_row());
+    const NodeSums<Real>& sums = engine_.sums_[slot * k_packs<Real> + static_cast<std::size_t>(node / k_width<Real>)];
+    return {double(sums.inertia[node % k_width<Real>]), {double(v[0]), double(v[1]), double(v[2])}};
+  }
+
+ private:
+  const Engine& engine_;
+  BlockIndex block_;
+  int node_;
+};
+
+/// Contact of the blocks beside colliders: all velocities after it depend on those before it only.
+template <class Real>
+void Engine<Real>::touch_colliders() {
+  constexpr std::size_t W = k_width<Real>;
+  const auto RG = static_cast<std::size_t>(gathered_row());
+  std::vector<std::size_t> slots;
+  for (std::size_t s = 0; s < beside_collider_.size(); ++s)
+    if (beside_collider_[s]) slots.push_back(s);
+  if (slots.empty()) return;
+  std::vector<std::array<Real, 3 * k_block_nodes>> after(slots.size());
+  const auto rows_of = [&](std::size_t s) { return gathered_.data() + s * k_block_nodes * RG; };
+  for_each_parallel(slots.size(), 4, [&](std::size_t i) {
+    const std::size_t s = slots[i];
+    Lanes<Real> nodes[k_packs<Real>][k_most_channels], dv[3];
+    for (std::size_t n = 0; n < k_block_nodes; ++n)
+      for (std::size_t d = 0; d < 3; ++d) nodes[n / W][d][n % W] = rows_of(s)[n * RG + d];
+    const NodeSums<Real>* sums = &sums_[s * k_packs<Real>];
+    change_velocities(s, sums, nodes, block_budgets_[s], [&](int n, const Point& x, const Vector3& v) {
+      const Around around(*this, s, n);
+      return contacts_.velocity_after(x, v, &around);
+    });
+    find_fall(dv);
+    book_momentum(s, sums, nodes, dv, block_budgets_[s]);
+    for (std::size_t n = 0; n < k_block_nodes; ++n)
+      for (std::size_t d = 0; d < 3; ++d) after[i][3 * n + d] = nodes[n / W][d][n % W];
+  });
+  for_each_parallel(slots.size(), 16, [&](std::size_t i) {
+    for (std::size_t n = 0; n < k_block_nodes; ++n)
+      for (std::size_t d = 0; d < 3; ++d) rows_of(slots[i])[n * RG + d] = after[i][3 * n + d];
+  });
 }
 
 template <class Real>
@@ -263,7 +333,7 @@ Lanes<Real> Engine<Real>::temperatures(std::size_t slot, int pack) const {
   return result;
 }
 
-/// Every node with mass gets the velocity `after`(its place, its velocity); the impulse is booked.
+/// Every node with mass gets the velocity `after`(its number, its place, its velocity); the impulse is booked.
 template <class Real>
 template <class After>
 void Engine<Real>::change_velocities(std::size_t slot, const NodeSums<Real>* sums, Lanes<Real> (*nodes)[k_most_channels], Budget& booked,
@@ -276,7 +346,7 @@ void Engine<Real>::change_velocities(std::size_t slot, const NodeSums<Real>* sum
     Lanes<Real>* v_i = nodes[pack];
     const Vector3 v{double(v_i[0][lane]), double(v_i[1][lane]), double(v_i[2][lane])};
     const Point x = node_position(origin, geometry_.dx(), n);
-    const Vector3 changed = after(x, v);
+    const Vector3 changed = after(n, x, v);
     if (changed == v) continue;
     for (std::size_t d = 0; d < 3; ++d) v_i[d][lane] = static_cast<Real>(changed[d]);
     book_impulse(x, double(mass) * (changed - v), booked);
@@ -287,6 +357,7 @@ void Engine<Real>::change_velocities(std::size_t slot, const NodeSums<Real>* sum
 #define BAKE_INSTANTIATE(Real)                                                                                         \
   template void Engine<Real>::update_grid();                                                                           \
   template void Engine<Real>::update_block(std::size_t, const Air&, const Step<Real>&, Budget&);                       \
+  template void Engine<Real>::touch_colliders();                                                                       \
   template bool Engine<Real>::is_empty(const Real*) const;                                                             \
   template Surroundings<Real> Engine<Real>::surroundings(int, const BlockSurroundings<Real>*, const Air&);             \
   template void Engine<Real>::hold_temperatures(std::size_t, int, const Lanes<Real>*, Surroundings<Real>&) const;      \

@@ -29,7 +29,6 @@ struct Step {
   Real dt_next = 0;    ///< of the step that is being scattered [s]
   Real dx = 0;         ///< node distance [m]
   Real inverse_d = 0;  ///< D^-1 of the kernel [1/m^2]
-  double time = 0;     ///< at the start of the step [s]
 };
 
 inline constexpr int k_most_booked = 24, k_most_totals = 20, k_most_highest = 4, k_most_bounds = 8;

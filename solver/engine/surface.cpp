@@ -227,7 +227,7 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
   layer_ = layer;
   rounding_ = rounding;
   conductivity_.resize(conductivity_channel < 0 ? 0 : n);
-  for (auto* field : {&volume_, &mirrored_, &smooth_, &density_, &bend_}) field->resize(n);
+  for (auto* field : {&volume_, &mirrored_, &smooth_, &filled_, &density_, &bend_}) field->resize(n);
   covers_.resize(n);
   blocks_.assign(n, {});
   for_each_parallel(n, 16, [&](std::size_t s) {
@@ -242,7 +242,7 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
     blocks_[s].has_volume = any_positive(volume_[s]);
   });
   for_each_parallel(n, 16, [&](std::size_t s) { mirror(s, active, geometry); });
-  for_each_parallel(n, 16, [&](std::size_t s) { smooth(s, active, geometry.dx()); });
+  for_each_parallel(n, 16, [&](std::size_t s) { smooth(s, active, geometry, contacts); });
   for_each_parallel(n, 16, [&](std::size_t s) { find_density(s, active, geometry, contacts); });
   heats_.clear();
   for (const auto& covers : covers_)
@@ -277,67 +277,89 @@ void FreeSurfaceMeasure<Real>::mirror(std::size_t s, const ActiveBlocks& active,
       for (int k = 0; k < zs; ++k) add(x[i], y[j], z[k]);
 }
 
-/// phi~
+/// phi~, alone and over the room.
 template <class Real>
-void FreeSurfaceMeasure<Real>::smooth(std::size_t s, const ActiveBlocks& active, double dx) {
+void FreeSurfaceMeasure<Real>::smooth(std::size_t s, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts) {
   Halo<Real, k_narrow> halo;
   const auto volumes = [&](std::size_t i) {
     return blocks_[i].is_mirrored ? &mirrored_[i] : blocks_[i].has_volume ? &volume_[i] : nullptr;
   };
   blocks_[s].is_empty = !load_halo<k_narrow>(active.around[s], volumes, halo);
   if (blocks_[s].is_empty) return;
+  const double dx = geometry.dx();
   blur(halo, static_cast<Real>(1 / (dx * dx * dx)), smooth_[s]);
   int full = 0, empty = 0;
   for (const Real phi : smooth_[s]) full += phi >= k_full, empty += phi < k_no_dough;
   blocks_[s].is_full = full == k_block_nodes;
   blocks_[s].is_empty = empty == k_block_nodes;
+  if (blocks_[s].is_empty || !contacts.collider_near(active.at[s], k_reach * dx)) return;
+  blocks_[s].is_beside = true;
+  const Point origin = geometry.origin(active.at[s]);
+  for (std::size_t k = 0; k < k_block_nodes; ++k) {
+    const Real phi = smooth_[s][k];
+    filled_[s][k] = phi;
+    if (phi < k_no_dough || phi >= 1) continue;
+    const double room = std::max(contacts.room(node_position(origin, dx, static_cast<int>(k))), k_least_room);
+    filled_[s][k] = std::min(phi / static_cast<Real>(room), Real(1));
+  }
 }
 
-/// r, of the air or of the solid that covers the node.
+/// r and r K, of the air or of the solid that covers the node.
 template <class Real>
 void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& active, const GridGeometry& geometry,
                                             const Contacts& contacts) {
   const auto is_full = [&](std::int32_t slot) { return slot >= 0 && blocks_[static_cast<std::size_t>(slot)].is_full; };
   if (blocks_[s].is_empty || std::all_of(active.around[s].begin(), active.around[s].end(), is_full)) return;
-  const auto phi_of = [&](std::size_t i) { return blocks_[i].is_empty ? nullptr : &smooth_[i]; };
-  Halo<Real, k_narrow> psi;
-  load_halo<k_narrow>(active.around[s], phi_of, psi);
-  constexpr Real k_outside = Real(0.2), k_slope = 1 / (k_full - k_outside);
-  for (Real& value : psi.at) value = std::min(std::max((value - k_outside) * k_slope, Real(0)), Real(1));
-  if (is_constant(psi)) return;
-  const Gradient<Real, k_narrow> g(psi);
-  Numbers<Real, k_after_z<k_narrow>> squared;
-  for (int i = 0; i < g.k_count; ++i) squared.at[i] = g.squared(i);
-  Nodes& r = density_[s];
-  pick(squared, Real(1), r);
-  const Real per_length = static_cast<Real>(1 / (64 * 2 * geometry.dx()));
-  for (std::size_t k = 0; k < k_block_nodes; ++k)
-    r[k] = smooth_[s][k] < k_no_dough ? Real(0) : std::sqrt(r[k]) * per_length / smooth_[s][k];
-  blocks_[s].has_density = any_positive(r);
-  if (!blocks_[s].has_density) return;
-  Halo<Real, k_wide> phi;
-  load_halo<k_wide>(active.around[s], phi_of, phi);
-  for (Real& value : phi.at) value = value < k_no_dough ? Real(0) : value;  // as in blocks that are empty
-  Nodes& bend = bend_[s];
-  find_curvature(phi, bend);
-  for (std::size_t k = 0; k < k_block_nodes; ++k) bend[k] *= r[k];
-  const double reach = 2.5 * geometry.dx();
-  if (!contacts.near(active.at[s], reach)) return;
+  const double dx = geometry.dx();
   const Point origin = geometry.origin(active.at[s]);
-  for (std::size_t k = 0; k < k_block_nodes; ++k) {
-    if (r[k] == 0) continue;
-    const auto [x, y, z] = coordinates_in_block(static_cast<int>(k));
-    const int i = halo_index<k_narrow>(x, y, z);
-    const Vector3 inward{double(g.along[0].at[i]), double(g.along[1].at[i]), double(g.along[2].at[i])};
-    const auto heat = contacts.covering(node_position(origin, geometry.dx(), static_cast<int>(k)), (-1 / length(inward)) * inward, reach);
-    if (!heat) continue;
-    auto cover = std::find_if(covers_[s].begin(), covers_[s].end(), [&](const Cover& c) { return c.heat == *heat; });
-    if (cover == covers_[s].end()) cover = covers_[s].insert(cover, Cover{*heat, {}, {}});
-    cover->density[k] = r[k];
-    cover->bend[k] = bend[k];
-    r[k] = bend[k] = 0;
-  }
+  // from phi of the nodes around; visit(node, heat of the solid in front of it) where there is a surface
+  const auto measure = [&](auto phi_of, Nodes& r, Nodes& bend, auto visit) {
+    Halo<Real, k_narrow> psi;
+    load_halo<k_narrow>(active.around[s], phi_of, psi);
+    constexpr Real k_outside = Real(0.2), k_slope = 1 / (k_full - k_outside);
+    for (Real& value : psi.at) value = std::min(std::max((value - k_outside) * k_slope, Real(0)), Real(1));
+    if (is_constant(psi)) return;
+    const Gradient<Real, k_narrow> g(psi);
+    Numbers<Real, k_after_z<k_narrow>> squared;
+    for (int i = 0; i < g.k_count; ++i) squared.at[i] = g.squared(i);
+    pick(squared, Real(1), r);
+    const Real per_length = static_cast<Real>(1 / (64 * 2 * dx));
+    const Nodes& own = *phi_of(s);
+    for (std::size_t k = 0; k < k_block_nodes; ++k) r[k] = own[k] < k_no_dough ? Real(0) : std::sqrt(r[k]) * per_length / own[k];
+    if (!any_positive(r)) return;
+    Halo<Real, k_wide> phi;
+    load_halo<k_wide>(active.around[s], phi_of, phi);
+    for (Real& value : phi.at) value = value < k_no_dough ? Real(0) : value;  // as in blocks that are empty
+    find_curvature(phi, bend);
+    for (std::size_t k = 0; k < k_block_nodes; ++k) bend[k] *= r[k];
+    if (!blocks_[s].is_beside) return;
+    for (std::size_t k = 0; k < k_block_nodes; ++k) {
+      if (r[k] == 0) continue;
+      const auto [x, y, z] = coordinates_in_block(static_cast<int>(k));
+      const int i = halo_index<k_narrow>(x, y, z);
+      const Vector3 inward{double(g.along[0].at[i]), double(g.along[1].at[i]), double(g.along[2].at[i])};
+      visit(k, contacts.covering(node_position(origin, dx, static_cast<int>(k)), (-1 / length(inward)) * inward, k_reach * dx));
+    }
+  };
+  Nodes &r = density_[s], &bend = bend_[s];
+  r.fill(0);
+  measure([&](std::size_t i) { return blocks_[i].is_empty    ? nullptr
+                                      : blocks_[i].is_beside ? &filled_[i]
+                                                             : &smooth_[i]; }, r, bend,
+          [&](std::size_t k, const std::optional<ContactHeat>& heat) {
+            if (heat) r[k] = bend[k] = 0;
+          });
   blocks_[s].has_density = any_positive(r);
+  if (!blocks_[s].is_beside) return;
+  Nodes covered{}, covered_bend;
+  measure([&](std::size_t i) { return blocks_[i].is_empty ? nullptr : &smooth_[i]; }, covered, covered_bend,
+          [&](std::size_t k, const std::optional<ContactHeat>& heat) {
+            if (!heat) return;
+            auto cover = std::find_if(covers_[s].begin(), covers_[s].end(), [&](const Cover& c) { return c.heat == *heat; });
+            if (cover == covers_[s].end()) cover = covers_[s].insert(cover, Cover{*heat, {}, {}});
+            cover->density[k] = covered[k];
+            cover->bend[k] = covered_bend[k];
+          });
 }
 
 /// A = V r f with blurred r, and what passes: the layer between the nodes and the surface conducts as well.

@@ -7,6 +7,8 @@
 //     r_i   = S_i / (phi~_i dx^3);  r <- B^T r
 //     K_i   = dx (k_1 + k_2) = -dx div(grad phi~ / |grad phi~|), averaged with r
 //     A_i   = V_i r_i (1 + min(c K_i^2, 0.5))                  puts back what smoothing took off curved surfaces
+// Beside a collider the dough fills what it is left: there phi~ is divided by that room, so that a free face goes on straight to the wall
+// and only what lies outside of the wall counts. Faces that colliders cover are measured without.
 // B^T only moves area onto nodes in proportion to the dough they carry, so that heat and vapour leave from where there is dough. Second
 // order for smooth bodies; edges are rounded within a cell, which costs 0.6 dx of area per length.
 // DEPARTS [Ding19 Sec. 6.6]: the printed quadrature over boundary particles finds 25 to 40 % of a sphere, whatever dx.
@@ -54,7 +56,7 @@ class FreeSurfaceMeasure {
                          int volume_column, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts,
                          const Air& air);
   std::size_t bytes() const {
-    return volume_.capacity() * (6 * sizeof(Nodes) + sizeof(Block)) + published_.capacity() * sizeof(BlockSurroundings<Real>);
+    return volume_.capacity() * (7 * sizeof(Nodes) + sizeof(Block)) + published_.capacity() * sizeof(BlockSurroundings<Real>);
   }
   /// What surrounds a block after either `measure`, or false if no surface is near. `air`: as given to measure_published.
   bool surround(std::size_t slot, const ActiveBlocks& active, const Air& air, BlockSurroundings<Real>& surroundings) const;
@@ -62,9 +64,10 @@ class FreeSurfaceMeasure {
  private:
   using Nodes = std::array<Real, k_block_nodes>;
   static constexpr Real k_full = Real(0.8), k_no_dough = Real(1e-3);  ///< values of phi~
+  static constexpr double k_least_room = 0.05, k_reach = 2.5;         ///< of room(), and of what covers a surface, in node distances
 
   struct Block {
-    bool has_volume, is_mirrored, is_full, is_empty, has_density;
+    bool has_volume, is_mirrored, is_full, is_empty, is_beside, has_density;
   };
   /// A solid in front of nodes of a block.
   struct Cover {
@@ -72,11 +75,12 @@ class FreeSurfaceMeasure {
     Nodes density, bend;  ///< r and r K of those nodes
   };
   void mirror(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry);
-  void smooth(std::size_t slot, const ActiveBlocks& active, double dx);
+  void smooth(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
   void find_density(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
 
   std::vector<Block> blocks_;
   std::vector<Nodes> volume_, mirrored_, smooth_;
+  std::vector<Nodes> filled_;        ///< phi~ over the room, of blocks near a collider (is_beside)
   std::vector<Nodes> conductivity_;  ///< sum of w V kappa; empty if no layer resists heat
   SurfaceLayer<Real> layer_;
   double rounding_ = 0;

@@ -44,9 +44,11 @@ struct Kernel<KernelOrder::cubic> {
   BAKE_INLINE static void weights(Lanes<Real> f, Lanes<Real>* w) {
     const Lanes<Real> g = 1 - f;
     w[0] = Real(1. / 6) * g * g * g;
-    w[1] = Real(2. / 3) - f * f * (1 - Real(0.5) * f);
-    w[2] = Real(2. / 3) - g * g * (1 - Real(0.5) * g);
     w[3] = Real(1. / 6) * f * f * f;
+    // The inner two, 2/3 - f^2 + f^3/2 and its mirror image, from sum w = 1 and sum o w = f: whatever the rounding of 1/6, which is the
+    // same in every step, a uniform velocity stays what it is. With a rounded 2/3 the sum of the weights would be too large for ever.
+    w[1] = g + w[3] - 2 * w[0];
+    w[2] = f + w[0] - 2 * w[3];
   }
 };
 

@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint8_t k_poly_vertex = 2;  ///< VTK_POLY_VERTEX
 
 std::size_t length(const FrameColumn& column) {
-  return std::visit([](auto values) { return values.size(); }, column.values);
+  return std::visit([](const auto& values) { return values.size(); }, column.values);
 }
 
 void check_lengths(const FrameData& frame) {
@@ -48,7 +48,8 @@ void write_cell(Hdf5Writer& out, std::size_t particles) {
 }
 
 void write_column(Hdf5Writer& out, const FrameColumn& column) {
-  std::visit([&](auto values) { write_vtk_field(out, column.name, column.unit, values, column.components); }, column.values);
+  std::visit([&](const auto& values) { write_vtk_field(out, column.name, column.unit, std::span(values), column.components); },
+             column.values);
 }
 
 }  // namespace
@@ -60,7 +61,7 @@ void write_frame(const std::filesystem::path& path, double time_s, const FrameDa
   AtomicFile file(path);
   Hdf5Writer out(file);
   write_vtk_head(out, time_s);
-  write_vtk_points(out, frame.positions);
+  write_vtk_points(out, std::span(frame.positions));
   write_cell(out, frame.positions.size() / 3);
   for (const auto& column : frame.columns) write_column(out, column);
   out.close();

@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -21,12 +20,13 @@ namespace bake {
 struct FrameColumn {
   std::string name;
   std::string unit;
-  std::variant<std::span<const float>, std::span<const std::int64_t>> values;
+  std::variant<std::vector<float>, std::vector<std::int64_t>> values;
   std::size_t components = 1;
 };
 
+/// It owns its numbers, so that it can be written while the particles go on.
 struct FrameData {
-  std::span<const float> positions;  ///< x, y, z of each particle [m]; may be empty
+  std::vector<float> positions;  ///< x, y, z of each particle [m]; may be empty
   std::vector<FrameColumn> columns;
 };
 

@@ -8,7 +8,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <numeric>
@@ -22,18 +24,63 @@ namespace {
 
 constexpr hsize_t k_chunk_rows = 16384;
 
-/// A chunk as HDF5's filters would store it: shuffled (the first bytes of all numbers, then the second ones, and so on) and deflated.
-/// Rows beyond the end of the array are zeros.
+/// [bits] Shannon's entropy of a byte: what a code without memory needs for each.
+double entropy(const std::array<std::uint32_t, 256>& counts, std::size_t bytes) {
+  double bits = 0;
+  for (const std::uint32_t n : counts)
+    if (n > 0) bits -= n * std::log2(static_cast<double>(n) / static_cast<double>(bytes));
+  return bits / static_cast<double>(bytes);
+}
+
+/// Whether deflating would take its time and save next to nothing. Numbers that count up, whose bytes are all as frequent, differ from
+/// their neighbours by always the same.
+bool looks_like_noise(std::span<const std::byte> bytes) {
+  constexpr double k_noise_bits = 7.6;
+  std::array<std::uint32_t, 256> counts{}, differences{};
+  std::uint8_t last = 0;
+  for (const std::byte b : bytes) {
+    const auto byte = std::to_integer<std::uint8_t>(b);
+    ++counts[byte];
+    ++differences[static_cast<std::uint8_t>(byte - last)];
+    last = byte;
+  }
+  return entropy(counts, bytes.size()) > k_noise_bits && entropy(differences, bytes.size()) > k_noise_bits;
+}
+
+/// A zlib stream [RFC 1950] whose first `stored` bytes are blocks that hold them as they are [RFC 1951 Sec. 3.2.4]; the rest is deflated.
+std::vector<std::byte> stored_and_deflated(std::span<const std::byte> bytes, std::size_t stored) {
+  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(libdeflate_alloc_compressor(1),
+                                                                                                 libdeflate_free_compressor);
+  constexpr std::size_t k_largest_block = 0xffff;
+  const auto rest = bytes.subspan(stored);
+  const std::size_t most = libdeflate_deflate_compress_bound(compressor.get(), rest.size());
+  std::vector<std::byte> out;
+  out.reserve(stored + 5 * (stored / k_largest_block + 1) + most + 6);
+  const auto put = [&](std::size_t byte) { out.push_back(static_cast<std::byte>(byte & 0xff)); };
+  put(0x78), put(0x01);  // deflate with a window of 32 KiB, fastest
+  for (std::size_t at = 0; at < stored; at += k_largest_block) {
+    const std::size_t size = std::min(k_largest_block, stored - at);
+    put(0), put(size), put(size >> 8), put(~size), put(~size >> 8);  // not the last one; its length, and that inverted
+    out.insert(out.end(), bytes.data() + at, bytes.data() + at + size);
+  }
+  const std::size_t head = out.size();
+  out.resize(head + most);
+  out.resize(head + libdeflate_deflate_compress(compressor.get(), rest.data(), rest.size(), out.data() + head, most));
+  const std::uint32_t sum = libdeflate_adler32(1, bytes.data(), bytes.size());
+  put(sum >> 24), put(sum >> 16), put(sum >> 8), put(sum);
+  return out;
+}
+
+/// A chunk as HDF5's filters would store it: shuffled (the first bytes of all numbers, then the second ones, and so on) and deflated, but
+/// for the leading planes of bytes that look like noise, as the low bytes of a mantissa do. Rows beyond the end of the array are zeros.
 std::vector<std::byte> packed(const std::byte* values, std::size_t bytes, std::size_t chunk_bytes, std::size_t number_bytes) {
   const std::size_t numbers = chunk_bytes / number_bytes;
   std::vector<std::byte> shuffled(chunk_bytes);
   for (std::size_t i = 0; i < bytes / number_bytes; ++i)
     for (std::size_t b = 0; b < number_bytes; ++b) shuffled[b * numbers + i] = values[i * number_bytes + b];
-  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(libdeflate_alloc_compressor(1),
-                                                                                                 libdeflate_free_compressor);
-  std::vector<std::byte> small(libdeflate_zlib_compress_bound(compressor.get(), chunk_bytes));
-  small.resize(libdeflate_zlib_compress(compressor.get(), shuffled.data(), chunk_bytes, small.data(), small.size()));
-  return small;
+  std::size_t noisy = 0;
+  while (noisy < number_bytes && looks_like_noise({shuffled.data() + noisy * numbers, numbers})) ++noisy;
+  return stored_and_deflated(shuffled, noisy * numbers);
 }
 
 /// Stops HDF5 from printing its error stack in this thread.
@@ -141,7 +188,7 @@ void Hdf5Writer::write_packed(hid_t data, const std::string& name, std::size_t n
   const std::size_t row_bytes = std::accumulate(shape.begin() + 1, shape.end(), number_bytes, std::multiplies<>());
   const auto chunks = static_cast<std::int64_t>((shape[0] + chunk_rows - 1) / chunk_rows);
   std::vector<std::vector<std::byte>> contents(static_cast<std::size_t>(chunks));
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (chunks > 1)
   for (std::int64_t c = 0; c < chunks; ++c) {
     const hsize_t first = static_cast<hsize_t>(c) * chunk_rows, rows = std::min(chunk_rows, shape[0] - first);
     contents[static_cast<std::size_t>(c)] = packed(values + first * row_bytes, rows * row_bytes, chunk_rows * row_bytes, number_bytes);

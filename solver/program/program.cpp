@@ -10,6 +10,7 @@
 
 #include "solver/core/errors.h"
 #include "solver/io/atomic_file.h"
+#include "solver/program/waiting.h"
 #include "solver/scene/nearest.h"
 
 namespace bake::cli {
@@ -52,6 +53,7 @@ int run_command_line(CLI::App& app, const Action& action, std::vector<std::strin
 }  // namespace
 
 int run_program(CLI::App& app, const Action& action, int count, char** words) {
+  let_waiting_threads_sleep(words);
   try {
     return run_command_line(app, action, {words + 1, words + count});
   } catch (const InputError& error) {

@@ -18,7 +18,7 @@ enum ExitCode { k_success = 0, k_failed_check = 1, k_wrong_use = 2, k_failed_run
 using Action = std::function<int()>;
 
 /// Reads the command line of `main`, runs the `action` that the requested command has set, and returns the program's exit code.
-/// Every error becomes one line `<program>: ...` on standard error.
+/// Every error becomes one line `<program>: ...` on standard error. Waiting threads fall asleep soon (solver/program/waiting.h).
 int run_program(CLI::App& app, const Action& action, int count, char** words);
 
 /// Adds the option --quality, which sets `quality`.

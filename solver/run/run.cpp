@@ -12,6 +12,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "solver/io/background_writer.h"
 #include "solver/io/checkpoint.h"
 #include "solver/io/ledger_file.h"
 #include "solver/io/progress.h"
@@ -81,6 +82,18 @@ void save_series(const Scene& scene, const ResultFiles& results, int frames) {
   std::vector<SeriesEntry> entries;
   for (int f = 0; f <= frames; ++f) entries.push_back({"frames/" + frame_name(f), frame_time(scene, f)});
   write_series(results.series(), entries);
+}
+
+/// Writes what a frame leaves; the ledger comes last, so that its rows are those of whole frames.
+void save_frame(const Scene& scene, const ResultFiles& results, int frame, double time_s, const FrameData& data, LedgerFile& ledger,
+                const std::vector<double>& row) {
+  try {
+    write_frame(results.frames() / frame_name(frame), time_s, data);
+    save_series(scene, results, frame);
+    ledger.append(row);
+  } catch (const OutputError& error) {
+    throw OutputError(fmt::format("frame {}: {}", frame, error.what()));
+  }
 }
 
 double value(const std::vector<double>& row, std::string_view column) {
@@ -173,7 +186,7 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
   const StopSignals signals;
   if (options.threads > 0) omp_set_num_threads(options.threads);
   const ResultFiles results{options.out};
-  const int frames = frame_count(scene, options);
+  const int threads = omp_get_max_threads(), frames = frame_count(scene, options);
 
   std::unique_ptr<Simulation> simulation;
   int frame = 0;
@@ -198,14 +211,12 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
   std::vector<double> first = ledger_row(*simulation), last = first;
   LedgerFile ledger = options.resume ? LedgerFile::resume(results.ledger(), ledger_columns(), frame_time(scene, frame))
                                      : LedgerFile::create(results.ledger(), ledger_columns());
-  if (options.resume) {
+  if (options.resume)
     first = last = read_ledger(results.ledger()).rows.at(0);
-  } else {
-    simulation->write_frame_file(results.frames() / frame_name(0));
-    save_series(scene, results, 0);
-    ledger.append(first);
-  }
+  else
+    save_frame(scene, results, 0, simulation->time(), simulation->frame(), ledger, first);
   save_description(scene, results, "running", last, wall(), simulation->counters().particle_steps);
+  BackgroundWriter writer;  // behind all that its jobs use
 
   const auto stand = [&](int done) {
     return Standing{done,
@@ -224,9 +235,11 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
     try {
       return simulation->advance(frame_time(scene, frame + 1), frame_time(scene, frame + 2), [&] {
         progress.update(stand(frame));
+        writer.check();
         return !StopSignals::asked();
       });
     } catch (const RunError&) {
+      writer.finish();
       save_description(scene, results, "failed", last, wall(), simulation->counters().particle_steps);
       throw;
     }
@@ -236,13 +249,15 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
     if (reached) {
       ++frame;
       last = ledger_row(*simulation);
-      simulation->write_frame_file(results.frames() / frame_name(frame));
-      save_series(scene, results, frame);
-      ledger.append(last);
+      writer.put([&, frame, time = simulation->time(), data = simulation->frame(), row = last] {
+        omp_set_num_threads(writer.owner_waits() ? threads : 1);  // of this thread's own loops: the steps need the cores
+        save_frame(scene, results, frame, time, data, ledger, row);
+      });
       progress.update(stand(frame));
     }
     const bool stop = StopSignals::asked() && frame < frames;
     if (stop || frame == frames || (reached && frame % scene.run.checkpoint_every_frames == 0)) {
+      writer.finish();  // a checkpoint knows of no frame that is not there
       save_checkpoint(scene, results, *simulation, frame);
       save_description(scene, results, "running", last, wall(),
                        simulation->counters().particle_steps);  // a killed run must not lose the time that it took

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
+#include "solver/core/parallel.h"
 #include "solver/core/vector3.h"
 #include "solver/effects/fields.h"
 #include "solver/engine/engine.h"
@@ -125,33 +127,43 @@ class SimulationOf final : public Simulation {
     return s;
   }
 
-  void write_frame_file(const std::filesystem::path& path) const override {
-    const std::vector<ParticleSlot> slots = slots_by_identity();
-    std::vector<float> x, v;
-    std::vector<std::int64_t> id, material;
-    for (const ParticleSlot& p : slots) {
-      id.push_back(identity_of<Real>(p.columns, p.lane));
-      material.push_back(engine_.store().tiles[p.tile].material);
-      for (const double c : position(p)) x.push_back(static_cast<float>(c));
-      if (engine_.velocity().size() > 0)
-        for (const double c : velocity(p)) v.push_back(static_cast<float>(c));
-    }
+  FrameData frame() const override {
+    const std::vector<std::size_t> rows = rows_by_identity();
+    const std::size_t n = particles();
+    const auto& shown = engine_.physics().frame_columns;
+    const bool has_velocity = engine_.velocity().size() > 0;
     FrameData frame;
-    frame.positions = x;
-    frame.columns.push_back({"id", "1", std::span<const std::int64_t>(id)});
-    frame.columns.push_back({"material", "1", std::span<const std::int64_t>(material)});
-    if (!v.empty() || (slots.empty() && engine_.physics().moves))
-      frame.columns.push_back({"velocity", "m/s", std::span<const float>(v), 3});
-    std::vector<std::vector<float>> kept;  // spans into it
-    kept.reserve(engine_.physics().frame_columns.size());
-    for (const auto& column : engine_.physics().frame_columns) {
-      std::vector<float>& values = kept.emplace_back();
-      values.reserve(slots.size());
-      for (const ParticleSlot& p : slots)
-        values.push_back(static_cast<float>(column.value(p.columns, p.lane, engine_.store().tiles[p.tile].material)));
-      frame.columns.push_back({column.name, column.unit, std::span<const float>(values)});
-    }
-    write_frame(path, engine_.time(), frame);
+    frame.positions.resize(3 * n);
+    std::vector<std::int64_t> id(n), material(n);
+    std::vector<float> v(has_velocity ? 3 * n : 0);
+    std::vector<std::vector<float>> scalars(shown.size(), std::vector<float>(n));
+    const auto& store = engine_.store();
+    for_each_parallel(store.blocks.size(), 4, [&](std::size_t b) {
+      for_each_tile(b, [&](std::size_t t) {
+        for_each_particle_of(b, t, [&](const ParticleSlot& p) {
+          const auto identity = static_cast<std::size_t>(identity_of<Real>(p.columns, p.lane));
+          const std::size_t row = rows[identity];
+          id[row] = static_cast<std::int64_t>(identity);
+          material[row] = store.tiles[t].material;
+          const Point x = position(p);
+          for (std::size_t d = 0; d < 3; ++d) frame.positions[3 * row + d] = static_cast<float>(x[d]);
+          if (!has_velocity) return;
+          const Vector3 v_p = velocity(p);
+          for (std::size_t d = 0; d < 3; ++d) v[3 * row + d] = static_cast<float>(v_p[d]);
+        });
+        for (std::size_t c = 0; c < shown.size(); ++c) {
+          for_each_particle_of(b, t, [&](const ParticleSlot& p) {
+            scalars[c][rows[static_cast<std::size_t>(identity_of<Real>(p.columns, p.lane))]] =
+                static_cast<float>(shown[c].value(p.columns, p.lane, store.tiles[t].material));
+          });
+        }
+      });
+    });
+    frame.columns.push_back({"id", "1", std::move(id)});
+    frame.columns.push_back({"material", "1", std::move(material)});
+    if (has_velocity || (n == 0 && engine_.physics().moves)) frame.columns.push_back({"velocity", "m/s", std::move(v), 3});
+    for (std::size_t c = 0; c < shown.size(); ++c) frame.columns.push_back({shown[c].name, shown[c].unit, std::move(scalars[c])});
+    return frame;
   }
 
  private:
@@ -185,13 +197,26 @@ class SimulationOf final : public Simulation {
   };
 
   template <class Visit>
-  void for_each_particle(Visit visit) const {
+  void for_each_tile(std::size_t block, Visit visit) const {
+    const auto& at = engine_.store().blocks[block];
+    for (std::int32_t t = at.first_tile; t < at.first_tile + at.tiles; ++t) visit(static_cast<std::size_t>(t));
+  }
+  template <class Visit>
+  void for_each_particle_of(std::size_t block, std::size_t tile, Visit visit) const {
     const auto& store = engine_.store();
-    for (std::size_t b = 0; b < store.blocks.size(); ++b)
-      for (std::int32_t t = store.blocks[b].first_tile; t < store.blocks[b].first_tile + store.blocks[b].tiles; ++t) {
-        const auto tile = static_cast<std::size_t>(t);
-        for (int l = 0; l < store.tiles[tile].count; ++l) visit(ParticleSlot{b, tile, l, store.tile(tile)});
-      }
+    for (int l = 0; l < store.tiles[tile].count; ++l) visit(ParticleSlot{block, tile, l, store.tile(tile)});
+  }
+  template <class Visit>
+  void for_each_particle(Visit visit) const {
+    for (std::size_t b = 0; b < engine_.store().blocks.size(); ++b)
+      for_each_tile(b, [&](std::size_t t) { for_each_particle_of(b, t, visit); });
+  }
+  /// By identity: the particle's row in a list that is ordered by identity and leaves out those that left.
+  std::vector<std::size_t> rows_by_identity() const {
+    std::vector<std::size_t> rows(engine_.identities_given(), 0);
+    for_each_particle([&](const ParticleSlot& p) { rows[static_cast<std::size_t>(identity_of<Real>(p.columns, p.lane))] = 1; });
+    std::exclusive_scan(rows.begin(), rows.end(), rows.begin(), std::size_t{0});
+    return rows;
   }
   std::vector<ParticleSlot> slots_by_identity() const {
     std::vector<ParticleSlot> slots(engine_.identities_given(), ParticleSlot{0, 0, 0, nullptr});

@@ -73,7 +73,8 @@ class Simulation {
   }
   virtual Box3 extent() const = 0;  ///< of the particles [m]
   virtual Snapshot snapshot() const = 0;
-  virtual void write_frame_file(const std::filesystem::path& path) const = 0;
+  virtual FrameData frame() const = 0;  ///< ordered by identity
+  void write_frame_file(const std::filesystem::path& path) const { write_frame(path, time(), frame()); }
   virtual std::size_t bytes() const = 0;
   virtual std::size_t active_nodes() const = 0;
   virtual std::string memory_words() const = 0;  ///< "19 columns, 76 bytes per particle; ..."

@@ -12,6 +12,7 @@
 #include "analysis/machines/limits.h"
 #include "solver/core/lanes.h"
 #include "solver/io/provenance.h"
+#include "solver/program/waiting.h"
 #include "tests/bench/steps.h"
 #include "tests/bench/summary.h"
 
@@ -71,4 +72,7 @@ int run(int count, char** given) {
 
 }  // namespace bake::bench
 
-int main(int count, char** arguments) { return bake::bench::run(count, arguments); }
+int main(int count, char** arguments) {
+  bake::let_waiting_threads_sleep(arguments);
+  return bake::bench::run(count, arguments);
+}

@@ -36,6 +36,22 @@ TEST(CommandLine, WrongCommandsAreRefused) {
   expect_refused(place, "study accuracy --reference elastic_bar", "allowed: a case without an exact solution");
 }
 
+#ifndef __clang__  // whose OpenMP library has other words for it
+TEST(CommandLine, WaitingThreadsSleepSoonUnlessTheUserSaysOtherwise) {
+  const Workplace place;
+  const auto spins = [&](const std::string& environment) {
+    const std::string shown =
+        place.bake("--version", "env -u GOMP_SPINCOUNT -u OMP_WAIT_POLICY OMP_DISPLAY_ENV=verbose " + environment).err;
+    const std::size_t last = shown.rfind("GOMP_SPINCOUNT = '");
+    EXPECT_NE(last, std::string::npos) << shown;
+    return shown.substr(last + 18, shown.find('\'', last + 18) - last - 18);
+  };
+  EXPECT_EQ(spins(""), "1000");
+  EXPECT_EQ(spins("GOMP_SPINCOUNT=70"), "70");
+  EXPECT_NE(spins("OMP_WAIT_POLICY=active"), "1000");
+}
+#endif
+
 TEST(CommandLine, UnknownScenesAreRefusedWithTheNearestName) {
   const Workplace place;
   for (const std::string command : {"run", "info", "validate"}) {

@@ -2,6 +2,7 @@
 // Whole runs: what is left when something goes wrong, and going on afterwards.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -49,6 +50,10 @@ TEST(Run, ThatCannotGoOnSaysWhyAndLeavesACheckpointOfItsLastFrame) {
   const std::string first = expect_refused(place, falls_too_fast, "time.smallest_step_s", "", 3);
   EXPECT_FALSE(half_written_files(place.folder() / "a"));
   EXPECT_NE(contents(place.folder() / "a/run.json").find(R"("state": "failed")"), std::string::npos);
+  const std::string ledger = contents(place.folder() / "a/ledger.csv");
+  const nlohmann::json series = nlohmann::json::parse(contents(place.folder() / "a/frames.hdf.series"));
+  ASSERT_GT(series["files"].size(), 1u);
+  EXPECT_EQ(std::count(ledger.begin(), ledger.end(), '\n') - 1, static_cast<std::ptrdiff_t>(series["files"].size()));
   // it can be gone on with, and ends in the same step for the same reason
   EXPECT_EQ(expect_refused(place, falls_too_fast + " --resume", "time.smallest_step_s", "", 3), first);
 }
@@ -84,6 +89,26 @@ TEST(Run, AFullDiskLeavesNothingHalfWritten) {
   // the kernel refuses to let files grow beyond 4 kB, as a full disk would; the signal that comes with it is ignored
   expect_refused(place, "run dough --quiet --out a", "a/", "trap '' XFSZ; ulimit -f 4;");
   EXPECT_FALSE(half_written_files(place.folder() / "a"));
+}
+
+TEST(Run, StopsSoonAfterAFrameThatCannotBeWrittenNamesItAndCanBeGoneOnWith) {
+  const Workplace place;
+  const std::string ten_frames = "run dough --quiet --set run.end_s=0.05 --out ";
+  ASSERT_EQ(place.bake(ten_frames + "whole").exit_code, 0);
+  ASSERT_EQ(place.bake(ten_frames + "a --frames 2").exit_code, 0);
+  fs::create_directory(place.folder() / "a/frames/0004.hdf.part");  // where the file would be written
+  expect_refused(place, ten_frames + "a --resume", "frame 4: a/frames/0004.hdf: cannot create: Is a directory");
+  EXPECT_TRUE(fs::exists(place.folder() / "a/frames/0003.hdf"));
+  EXPECT_FALSE(fs::exists(place.folder() / "a/frames/0005.hdf"));
+  const nlohmann::json series = nlohmann::json::parse(contents(place.folder() / "a/frames.hdf.series"));
+  EXPECT_EQ(series["files"].size(), 4u);
+  const std::string ledger = contents(place.folder() / "a/ledger.csv");
+  EXPECT_EQ(std::count(ledger.begin(), ledger.end(), '\n'), 5) << "the heading and frames 0 to 3";
+
+  fs::remove(place.folder() / "a/frames/0004.hdf.part");
+  ASSERT_EQ(place.bake(ten_frames + "a --resume").exit_code, 0);
+  for (const char* file : {"checkpoint.h5", "ledger.csv", "frames.hdf.series", "frames/0004.hdf", "frames/0010.hdf"})
+    EXPECT_TRUE(contents(place.folder() / "whole" / file) == contents(place.folder() / "a" / file)) << file;
 }
 
 TEST(Run, AMissingOrBrokenParticlesFileIsRefused) {

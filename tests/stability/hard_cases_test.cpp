@@ -31,6 +31,25 @@ TEST(AStepBelowTheSmallestAllowed, EndsTheRunWithTheReason) {
   for (const char* part : {"stiffness", "time.smallest_step_s", "step 0"}) EXPECT_NE(message.find(part), std::string::npos) << message;
 }
 
+TEST(AStepByWhichTimeDoesNotAdvance, EndsTheRunWithTheReason) {
+  Dough dough = small();
+  dough.tables =
+      "[[collider]]\nshape = { half_space = { point_m = [0, 0, -0.9] } }\n"
+      "motion = [{ time_s = 0 }, { time_s = 1e-5, position_m = [1e300, 0, 0] }]\n";
+  const std::string message = message_of<RunError>([&] { Watched(dough).run(0.01); });
+  for (const char* part : {"particle travel", "time does not advance"}) EXPECT_NE(message.find(part), std::string::npos) << message;
+}
+
+TEST(AColliderWithoutEndThatTurns, LimitsTheStepByItsSpeedInTheDomain) {
+  Dough dough = small();
+  dough.tables =
+      "[[collider]]\nshape = { half_space = { point_m = [0, 0, -0.9] } }\n"
+      "motion = [{ time_s = 0 }, { time_s = 0.1, rotation_deg = [0, 0, 1] }]\n";
+  Watched ball(dough);
+  ASSERT_NO_FATAL_FAILURE(ball.run(0.01));
+  EXPECT_GT(ball->dt(), 1e-5);
+}
+
 /// Writes the checkpoint of a run again with one number of one particle replaced.
 template <class Real>
 void poison(const std::filesystem::path& from, const std::filesystem::path& to, Precision precision, std::size_t index, Real value) {

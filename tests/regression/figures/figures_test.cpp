@@ -102,6 +102,12 @@ TEST(Figure6, NeckAndTwistAreMonotoneInYieldStressAndViscosity) {
   check_pictures(figure, "fig06_dough");
 }
 
+TEST(Figure4, ACakeFlowsOutOfItsCentreAndOneThatBakedLongerDoesNot) {
+  const Made figure(4, "lava_cake");
+  check_claims_hold(figure, 10);
+  check_pictures(figure, "fig04_lava_cake");
+}
+
 TEST(Figure15, LoavesExpandAndSlitsOpenButTheTopDoesNotCrack) {
   const Made figure(15, "bread");
   ASSERT_LE(figure.exit_code, 1) << figure.errors;

@@ -26,6 +26,9 @@ TEST(Browning, RateIsWhatTheKeysSay) {
   EXPECT_DOUBLE_EQ(browning_rate(law, 150, 0.5), 1.0 / 600);
   EXPECT_DOUBLE_EQ(browning_rate(law, 190, 0.5), 10.0 / 600);
   EXPECT_DOUBLE_EQ(browning_rate(law, 150, 0.25), 0.5 / 600);
+  const BrowningLaw heat_alone{150, 600, 40, 0};
+  EXPECT_DOUBLE_EQ(browning_rate(heat_alone, 190, 0), 10.0 / 600);
+  EXPECT_DOUBLE_EQ(browning_rate(heat_alone, 190, -0.1), 10.0 / 600);
 }
 
 TEST(Browning, DegreeRisesFromRawToOne) {

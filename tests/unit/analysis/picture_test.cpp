@@ -146,6 +146,32 @@ TEST_F(Pictures, OfACutBallShowCrumbInside) {
   EXPECT_TRUE(has(refusal(folder / "run/frames/0002.hdf"), "the cut leaves nothing"));
 }
 
+TEST_F(Pictures, ShowOneMaterialOfAFrame) {
+  write_run(folder / "two", ball, 1, [](const float* p, double) { return State{20, 1, p[0] > 0.03f ? 1 : 0}; });
+  const std::filesystem::path frame = folder / "two/frames/0000.hdf";
+  Histories histories;
+  const auto extent = [&](std::optional<int> material) {
+    view.objects[0].material = material;
+    const PictureObject object = load_object(frame, {}, view, view.objects[0], histories, 1);
+    float low = 1, high = -1;
+    for (const Vec3f& p : object.meshes[0].vertices) {
+      low = std::min(low, p.x());
+      high = std::max(high, p.x());
+    }
+    return std::array{low, high};
+  };
+  const float half_a_spacing = 0.01f;
+  EXPECT_LT(extent({})[0], -0.09f);
+  EXPECT_GT(extent({})[1], 0.09f);
+  EXPECT_NEAR(extent(0)[1], 0.03f, half_a_spacing + 0.01f);
+  EXPECT_NEAR(extent(1)[0], 0.03f, half_a_spacing + 0.01f);
+  EXPECT_GT(extent(1)[1], 0.09f);
+  view.objects[0].material = 2;
+  EXPECT_TRUE(has(refusal(frame), "material: found no particle of number 2"));
+  write_mesh(folder / "surface.hdf", splat_surface(read_particles_of_frame(frame)));
+  EXPECT_TRUE(has(refusal(folder / "surface.hdf", folder / "two"), "material: has no particles of materials"));
+}
+
 TEST_F(Pictures, OfWrongFilesAreRefusedInOneLine) {
   const std::filesystem::path frame = folder / "run/frames/0002.hdf";
   EXPECT_TRUE(has(refusal(folder / "missing.hdf"), "missing.hdf"));

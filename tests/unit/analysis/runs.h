@@ -37,6 +37,7 @@ struct Ball {
 struct State {
   float temperature_C;
   float water_kg;
+  std::int64_t material = 0;
 };
 
 /// Writes `frames` frames, one a second, of a ball whose particles are in the state that `state(position, time_s)` says.
@@ -46,17 +47,20 @@ inline void write_run(const std::filesystem::path& folder, const Ball& ball, int
   std::vector<SeriesEntry> series;
   for (int frame = 0; frame < frames; ++frame) {
     std::vector<float> temperature, water;
+    std::vector<std::int64_t> material;
     for (std::size_t i = 0; i < ball.ids.size(); ++i) {
       const State s = state(&ball.positions[3 * i], frame);
       temperature.push_back(s.temperature_C);
       water.push_back(s.water_kg);
+      material.push_back(s.material);
     }
     write_frame(folder / "frames" / frame_name(frame), frame,
                 {ball.positions,
-                 {{"id", "", std::span<const std::int64_t>(ball.ids), 1},
-                  {"temperature", "C", std::span<const float>(temperature), 1},
-                  {"volume", "m^3", std::span<const float>(ball.volumes), 1},
-                  {"water_mass", "kg", std::span<const float>(water), 1}}});
+                 {{"id", "", ball.ids, 1},
+                  {"material", "1", material, 1},
+                  {"temperature", "C", temperature, 1},
+                  {"volume", "m^3", ball.volumes, 1},
+                  {"water_mass", "kg", water, 1}}});
     series.push_back({"frames/" + frame_name(frame), static_cast<double>(frame)});
   }
   write_series(folder / "frames.hdf.series", series);

@@ -84,6 +84,8 @@ TEST(RigidPath, TurnsTheShorterWayBetweenDifferentAxes) {
   EXPECT_NEAR(length(path.at(0.5).angular_velocity), 2 * k_rad_per_deg, 1e-4);
 }
 
+constexpr Box3 k_everywhere{{-k_infinity, -k_infinity, -k_infinity}, {k_infinity, k_infinity, k_infinity}};
+
 TEST(RigidPath, LargestSpeedBoundsEveryPointOfTheBox) {
   const RigidPath path(winding_keys(), k_pivot);
   const Box3 box{{-0.1, 0, 0.2}, {0.4, 0.1, 0.5}};
@@ -93,18 +95,29 @@ TEST(RigidPath, LargestSpeedBoundsEveryPointOfTheBox) {
     const RigidState state = path.at(time);
     for (int i = 0; i < 20; ++i) fastest = std::max(fastest, length(state.velocity_at(state.to_world(random()))));
   }
-  EXPECT_LE(fastest, path.largest_speed(box));
-  EXPECT_GT(fastest, 0.6 * path.largest_speed(box));
+  EXPECT_LE(fastest, path.largest_speed(box, k_everywhere));
+  EXPECT_GT(fastest, 0.6 * path.largest_speed(box, k_everywhere));
+}
+
+TEST(RigidPath, LargestSpeedOfWhatHasNoEndIsThatInTheRegion) {
+  const RigidPath path(winding_keys(), k_pivot);
+  const Box3 endless = make_half_space({0, 0, 0}, {0, 0, 1})->bounds(), region{{-0.3, 0.1, -0.2}, {0.5, 0.7, 0.4}};
+  RandomPoints random(region.low, region.high);
+  double fastest = 0;
+  for (double time = 0; time < 3.5; time += 0.01)
+    for (int i = 0; i < 20; ++i) fastest = std::max(fastest, length(path.at(time).velocity_at(random())));
+  EXPECT_LE(fastest, path.largest_speed(endless, region));
+  EXPECT_GT(fastest, 0.6 * path.largest_speed(endless, region));
 }
 
 TEST(RigidPath, LargestSpeedIsExactForPureMotions) {
   const Box3 box{{0, 0, 0}, {3, 4, 7}}, endless = make_half_space({0, 0, 0}, {0, 0, 1})->bounds();
   const RigidPath slide({{0, {0, 0, 0}, {0, 0, 0}}, {2, {0, 1, 0}, {0, 0, 0}}}, {0, 0, 0});
-  EXPECT_DOUBLE_EQ(slide.largest_speed(box), 0.5);
-  EXPECT_DOUBLE_EQ(slide.largest_speed(endless), 0.5);
+  EXPECT_DOUBLE_EQ(slide.largest_speed(box, k_everywhere), 0.5);
+  EXPECT_DOUBLE_EQ(slide.largest_speed(endless, k_everywhere), 0.5);
   const RigidPath spin({{0, {0, 0, 0}, {0, 0, 0}}, {2, {0, 0, 0}, {0, 0, 360}}}, {0, 0, 0});
-  EXPECT_NEAR(spin.largest_speed(box), std::numbers::pi * 5, 1e-13);
-  EXPECT_EQ(spin.largest_speed(endless), k_infinity);
+  EXPECT_NEAR(spin.largest_speed(box, k_everywhere), std::numbers::pi * 5, 1e-13);
+  EXPECT_EQ(spin.largest_speed(endless, k_everywhere), k_infinity);
 }
 
 TEST(RigidPath, RefusesTimesThatDoNotRise) {

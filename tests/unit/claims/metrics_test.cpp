@@ -168,6 +168,8 @@ TEST_F(FrameMetrics, TellADomeFromADent) {
     frame(2, dome(kappa));
     // rings are 8 of equal area; in each the highest particle stands for its place: an eighth of the whole r^2 at most, and exact here
     EXPECT_NEAR(measure("top_curvature", place), kappa, 1e-4);
+    // rings hold no particle exactly at the axis or at the radius: the highest is within an eighth of r^2 of it
+    EXPECT_NEAR(measure("dome_rise", place), kappa * 0.9 * 0.9 / 2 / 1.8, std::abs(kappa) * 0.9 * 0.9 / 2 / 1.8 / 4);
   }
 }
 

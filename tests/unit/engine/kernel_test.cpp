@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace bake {
@@ -59,6 +60,19 @@ TYPED_TEST(BSpline, WeightsAreAPartitionOfUnityAndNeverNegative) {
       ASSERT_NEAR(sum, 1, TestFixture::k_bound);
     }
   });
+}
+
+TYPED_TEST(BSpline, WeightsErrInNoDirection) {
+  double excess = 0;
+  int sums = 0;
+  TestFixture::everywhere([&](const auto&, const auto& s, int l) {
+    for (int d = 0; d < 3; ++d, ++sums) {
+      for (int j = 0; j < TestFixture::N; ++j) excess += static_cast<double>(s.weight[d][j][l]);
+      excess -= 1;
+    }
+  });
+  // 12 288 sums, each off by at most one rounding of a number below 1 and as likely up as down: four standard errors, half a rounding each
+  EXPECT_NEAR(excess / sums, 0, 4 * TestFixture::k_bound / 32 / std::sqrt(sums));
 }
 
 TYPED_TEST(BSpline, FirstMomentIsZeroAndSecondIsD) {

@@ -15,27 +15,28 @@ struct Cost {
   int columns, scattered, gathered;
 };
 
-// By hand. Particle: position 3, identity, volume, mass = 6; motion J = 1; FLIP velocity 3; heat theta and peak = 2; water m_w = 1
+// By hand. Particle: position 3, identity, volume, mass = 6; motion J = 1; FLIP velocity 3; heat theta and peak = 2; water m_w and its
+// spread = 2
 // and, where its solid moves, its last momentum 3; elasticity b_E = 6; plasticity J_P = 1; leavening nu and c = 2. Node, scattered:
 // momentum 3 and mass = 4; FLIP 3; volume 1 with heat or water; heat capacity, content, change, lent, conductivity = 5; water mass,
-// capacity, change, evaporability, permeability = 5. Gathered: velocity 3; FLIP 3; heat 2; water 3.
+// capacity, change, evaporability, permeability, spread = 6. Gathered: velocity 3; FLIP 3; heat 2; water 3.
 constexpr Cost k_costs[] = {
     {"heat", "", 8, 6, 2},
-    {"water", "", 7, 6, 3},
-    {"heat, water", "", 9, 11, 5},
+    {"water", "", 8, 7, 3},
+    {"heat, water", "", 10, 12, 5},
     {"motion, elasticity", "", 13, 4, 3},
     {"motion, heat, elasticity", "", 15, 10, 5},
-    {"motion, water, elasticity", "", 17, 10, 6},
-    {"motion, heat, water, elasticity", "", 19, 15, 8},
+    {"motion, water, elasticity", "", 18, 11, 6},
+    {"motion, heat, water, elasticity", "", 20, 16, 8},
     {"motion, elasticity, plasticity", "", 14, 4, 3},
     {"motion, heat, elasticity, plasticity", "", 16, 10, 5},
-    {"motion, water, elasticity, plasticity", "", 18, 10, 6},
-    {"motion, heat, water, elasticity, plasticity", "", 20, 15, 8},
+    {"motion, water, elasticity, plasticity", "", 19, 11, 6},
+    {"motion, heat, water, elasticity, plasticity", "", 21, 16, 8},
     {"motion, heat, elasticity, plasticity, leavening", "", 18, 10, 5},
-    {"motion, heat, water, elasticity, plasticity, leavening", "", 22, 15, 8},
+    {"motion, heat, water, elasticity, plasticity, leavening", "", 23, 16, 8},
     {"motion, elasticity", k_flip, 16, 7, 6},
     {"motion, elasticity, plasticity", k_flip, 17, 7, 6},
-    {"motion, heat, water, elasticity, plasticity, leavening", k_flip, 25, 18, 11},
+    {"motion, heat, water, elasticity, plasticity, leavening", k_flip, 26, 19, 11},
 };
 
 Scene scene_with(const char* effects, const char* motion) {

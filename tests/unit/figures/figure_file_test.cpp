@@ -34,6 +34,12 @@ name = "volume"
 shows = "volume over time"
 column = "volume_m3"
 of = ["plain", "slit"]
+[[chart]]
+name = "set"
+shows = "what has set over time"
+metric = "heated_share"
+temperature_C = 60
+of = ["slit"]
 [[claim]]
 metric = "distance_gain"
 of = "slit"
@@ -80,6 +86,9 @@ TEST_F(FigureFile, IsReadWhole) {
   EXPECT_EQ(scene_file(figure, figure.runs[0]), scene_file(figure, figure.runs[1]));
   ASSERT_EQ(figure.surfaces.size(), 1u);
   EXPECT_EQ(figure.surfaces[0].times_s, (std::vector<double>{20, 30}));
+  ASSERT_EQ(figure.charts.size(), 2u);
+  EXPECT_EQ(figure.charts[1].metric, "heated_share");
+  EXPECT_EQ(figure.charts[1].place.temperature_C, 60);
   ASSERT_EQ(figure.claims.size(), 2u);
   EXPECT_EQ(figure.claims[0].factor, 1.5);
   EXPECT_EQ(figure.claims[0].place.to_m, (Vector3{1, 0, 0}));
@@ -94,38 +103,49 @@ TEST_F(FigureFile, RefusesNamesOfNothing) {
   EXPECT_EQ(error_of("\"torn\"]", "\"tron\"]"), "figure.toml:20: picture.0.of: unknown run or surface 'tron'; did you mean 'torn'?");
   EXPECT_EQ(error_of("\"slit\"]", "\"torn\"]"), "figure.toml:25: chart.0.of: unknown run 'torn'; allowed: plain, slit");
   EXPECT_EQ(error_of("distance_gain", "distance_gian"),
-            "figure.toml:27: claim.0.metric: unknown metric 'distance_gian'; did you mean 'distance_gain'?");
+            "figure.toml:33: claim.0.metric: unknown metric 'distance_gian'; did you mean 'distance_gain'?");
   EXPECT_EQ(error_of("greater_than = \"plain\"", "greater_than = \"plan\""),
-            "figure.toml:31: claim.0.greater_than: unknown run or surface 'plan'; did you mean 'plain'?");
+            "figure.toml:37: claim.0.greater_than: unknown run or surface 'plan'; did you mean 'plain'?");
   EXPECT_EQ(error_of("name = \"slit\"", "name = \"plain\""), "figure.toml:7: run.1.name: found 'plain' again");
   EXPECT_EQ(error_of("name = \"slit\"", "name = \"../slit\""), "figure.toml:7: run.1.name: found '../slit', allowed: a-z, 0-9 and _");
 }
 
 TEST_F(FigureFile, RefusesClaimsThatCannotBeMeasured) {
   EXPECT_EQ(error_of("metric = \"pieces\"\nof = \"torn\"", "metric = \"pieces\"\nof = \"slit\""),
-            "figure.toml:37: claim.1.of: found 'slit', a run, allowed: a surface, of which pieces is measured");
+            "figure.toml:43: claim.1.of: found 'slit', a run, allowed: a surface, of which pieces is measured");
   EXPECT_EQ(error_of("from_m = [0, 0, 0]\n", ""),
-            "figure.toml:26: claim.0.from_m: missing, allowed: what distance_gain needs: from_m, to_m");
+            "figure.toml:32: claim.0.from_m: missing, allowed: what distance_gain needs: from_m, to_m");
   EXPECT_EQ(error_of("from_m = [0, 0, 0]", "from_m = [0, 0, 0]\nradius_m = 1"),
-            "figure.toml:30: claim.0.radius_m: 'distance_gain' knows no such key");
+            "figure.toml:36: claim.0.radius_m: 'distance_gain' knows no such key");
   EXPECT_EQ(
       error_of("of = \"slit\"\n", ""),
-      "figure.toml:27: claim.0.metric: unknown number 'distance_gain'; a metric needs `of`: the run or surface that it is measured of");
+      "figure.toml:33: claim.0.metric: unknown number 'distance_gain'; a metric needs `of`: the run or surface that it is measured of");
+}
+
+TEST_F(FigureFile, RefusesChartsOfWhatHasNoTimes) {
+  EXPECT_EQ(error_of("metric = \"heated_share\"", "column = \"volume_m3\"\nmetric = \"heated_share\""),
+            "figure.toml:29: chart.1.column: allowed: column or metric, with `of`, or a name alone");
+  EXPECT_EQ(error_of("metric = \"heated_share\"", "metric = \"hated_share\""),
+            "figure.toml:29: chart.1.metric: unknown metric of a run that has a time 'hated_share'; did you mean 'heated_share'?");
+  EXPECT_EQ(error_of("temperature_C = 60\n", ""),
+            "figure.toml:26: chart.1.temperature_C: missing, allowed: what heated_share needs: temperature_C");
+  EXPECT_EQ(error_of("temperature_C = 60", "temperature_C = 60\ntime_s = 2"),
+            "figure.toml:31: chart.1.time_s: the chart is drawn over all times");
 }
 
 TEST_F(FigureFile, RefusesClaimsWithoutOneCondition) {
   const std::string one = "allowed: one condition: expected with tolerance; at_least, at_most or both; greater_than; or order";
-  EXPECT_EQ(error_of("greater_than = \"plain\"\nfactor = 1.5\n", ""), "figure.toml:26: claim.0: " + one);
-  EXPECT_EQ(error_of("expected = 2", "at_least = 2\nexpected = 2"), "figure.toml:35: claim.1: " + one);
-  EXPECT_EQ(error_of("tolerance = 0\n", ""), "figure.toml:38: claim.1.expected: needs a tolerance beside it, and a tolerance needs it");
+  EXPECT_EQ(error_of("greater_than = \"plain\"\nfactor = 1.5\n", ""), "figure.toml:32: claim.0: " + one);
+  EXPECT_EQ(error_of("expected = 2", "at_least = 2\nexpected = 2"), "figure.toml:41: claim.1: " + one);
+  EXPECT_EQ(error_of("tolerance = 0\n", ""), "figure.toml:44: claim.1.expected: needs a tolerance beside it, and a tolerance needs it");
   EXPECT_EQ(error_of("greater_than = \"plain\"\nfactor = 1.5\n", "order = \"rising\"\n"),
-            "figure.toml:31: claim.0.order: needs a list `of` at least two");
+            "figure.toml:37: claim.0.order: needs a list `of` at least two");
   EXPECT_EQ(error_of("kind = \"published\"\nwhy = \"slits open\"", "kind = \"published\"\nwhy = \"\""),
-            "figure.toml:34: claim.0.why: found \"\", allowed: the reason");
+            "figure.toml:40: claim.0.why: found \"\", allowed: the reason");
   EXPECT_EQ(error_of("expected = 2\ntolerance = 0\nkind = \"published\"", "at_least = 2\nkind = \"regression\""),
-            "figure.toml:39: claim.1.kind: found a regression without an expected value");
+            "figure.toml:45: claim.1.kind: found a regression without an expected value");
   EXPECT_EQ(error_of("tolerance = 0\nkind = \"published\"", "tolerance = 0\nkind = \"regression\""),
-            "figure.toml:40: claim.1.kind: found a regression without the quality that it holds for");
+            "figure.toml:46: claim.1.kind: found a regression without the quality that it holds for");
 }
 
 TEST_F(FigureFile, RefersToWhatTheItemsFunctionGives) {

@@ -20,11 +20,7 @@ TEST(Frame, ComesBackExactlyWithUnitsAndTime) {
   const std::vector<float> velocity{1, 2, 3, 4, 5, 6};
   const std::vector<std::int64_t> id{7, std::int64_t{1} << 60};
   const double time_s = 1.0 / 24;
-  write_frame(scratch / "0001.hdf", time_s,
-              {positions,
-               {{"theta", "C", std::span<const float>(theta), 1},
-                {"velocity", "m/s", std::span<const float>(velocity), 3},
-                {"id", "1", std::span<const std::int64_t>(id), 1}}});
+  write_frame(scratch / "0001.hdf", time_s, {positions, {{"theta", "C", theta, 1}, {"velocity", "m/s", velocity, 3}, {"id", "1", id, 1}}});
   const Hdf5Reader in(scratch / "0001.hdf");
   EXPECT_TRUE(same_bits(in.table<float>("VTKHDF/Points", 3), positions));
   EXPECT_TRUE(same_bits(in.array<float>("VTKHDF/PointData/theta"), theta));
@@ -50,8 +46,7 @@ TEST(Frame, IsOneVtkCellOverAllParticles) {
 
 TEST(Frame, MayHaveNoParticles) {
   const TemporaryFolder scratch;
-  write_frame(scratch / "0000.hdf", 0,
-              {{}, {{"theta", "C", std::span<const float>(), 1}, {"velocity", "m/s", std::span<const float>(), 3}}});
+  write_frame(scratch / "0000.hdf", 0, {{}, {{"theta", "C", std::vector<float>(), 1}, {"velocity", "m/s", std::vector<float>(), 3}}});
   const Hdf5Reader in(scratch / "0000.hdf");
   EXPECT_TRUE(in.table<float>("VTKHDF/Points", 3).empty());
   EXPECT_TRUE(in.table<float>("VTKHDF/PointData/velocity", 3).empty());
@@ -61,7 +56,7 @@ TEST(Frame, RefusesColumnsOfAnotherLength) {
   const TemporaryFolder scratch;
   const std::vector<float> positions(9), theta(2);
   const auto message = message_of<std::invalid_argument>([&] {
-    write_frame(scratch / "0000.hdf", 0, {positions, {{"theta", "C", std::span<const float>(theta), 1}}});
+    write_frame(scratch / "0000.hdf", 0, {positions, {{"theta", "C", theta, 1}}});
   });
   EXPECT_TRUE(has(message, "theta has 2 numbers for 3 particles")) << message;
   EXPECT_EQ(files_in(scratch.path()), 0u);
@@ -77,8 +72,7 @@ TEST(FrameReader, FindsEveryParticleWhateverTheOrder) {
   const TemporaryFolder scratch;
   const std::vector<float> positions{0, 0, 0, 1, 1, 1, 2, 2, 2}, theta{20, 30, 40};
   const std::vector<std::int64_t> id{12, 10, 13};
-  write_frame(scratch / "0001.hdf", 0.5,
-              {positions, {{"theta", "C", std::span<const float>(theta), 1}, {"id", "1", std::span<const std::int64_t>(id), 1}}});
+  write_frame(scratch / "0001.hdf", 0.5, {positions, {{"theta", "C", theta, 1}, {"id", "1", id, 1}}});
   const FrameReader frame(scratch / "0001.hdf");
   EXPECT_EQ(frame.time_s(), 0.5);
   EXPECT_EQ(frame.particles(), 3u);

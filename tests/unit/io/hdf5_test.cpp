@@ -8,6 +8,7 @@
 #include <bit>
 #include <limits>
 #include <numeric>
+#include <random>
 
 #include "solver/scene/scene.h"
 #include "tests/unit/io/files.h"
@@ -86,6 +87,64 @@ TEST(Hdf5, KeepsArraysOfManyPieces) {
   write_file(scratch / "f.hdf", [&](Hdf5Writer& out) { out.array<std::int32_t>("n", numbers, Packing::shuffle_gzip); });
   EXPECT_EQ(Hdf5Reader(scratch / "f.hdf").array<std::int32_t>("n"), numbers);
   EXPECT_LT(std::filesystem::file_size(scratch / "f.hdf"), numbers.size() * 2);
+}
+
+std::vector<float> rough_numbers(std::size_t count) {
+  std::mt19937 random(2019);
+  std::vector<float> numbers(count);
+  for (float& number : numbers) number = 1 + static_cast<float>(random() % 0x800000) / 0x800000;  // noise in all of the mantissa
+  return numbers;
+}
+
+/// What each of a chunk's blocks begins with: whether it is the last one, and its kind (0: bytes as they are) [RFC 1951 Sec. 3.2.3].
+/// Follows stored blocks only, so the list ends with the first that is not one.
+std::vector<int> kinds_of_blocks(const std::string& zlib_stream) {
+  std::vector<int> kinds;
+  for (std::size_t at = 2; at < zlib_stream.size();) {
+    const auto byte = [&](std::size_t i) { return std::size_t{static_cast<unsigned char>(zlib_stream.at(at + i))}; };
+    kinds.push_back(static_cast<int>(byte(0) & 7));
+    if (kinds.back() != 0) break;
+    EXPECT_EQ(byte(1) + 256 * byte(2), 0xffff - (byte(3) + 256 * byte(4)));
+    at += 5 + byte(1) + 256 * byte(2);
+  }
+  return kinds;
+}
+
+std::string first_chunk(const std::filesystem::path& path, const char* name) {
+  const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const Hdf5Handle data(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
+  hsize_t bytes = 0;
+  const hsize_t first = 0;
+  H5Dget_chunk_storage_size(data, &first, &bytes);
+  std::string chunk(bytes, '\0');
+  std::uint32_t filters = 0;
+  H5Dread_chunk(data, H5P_DEFAULT, &first, &filters, chunk.data());
+  EXPECT_EQ(filters, 0u) << "a filter was left out";
+  return chunk;
+}
+
+TEST(Hdf5, StoresBytesThatLookLikeNoiseAndDeflatesTheOthers) {
+  const TemporaryFolder scratch;
+  const std::vector<float> rough = rough_numbers(16384);
+  std::vector<std::int64_t> counted(16384);
+  std::iota(counted.begin(), counted.end(), 0);
+  write_file(scratch / "f.hdf", [&](Hdf5Writer& out) {
+    out.array<float>("rough", rough, Packing::shuffle_gzip);
+    out.array<std::int64_t>("counted", counted, Packing::shuffle_gzip);
+  });
+  EXPECT_TRUE(same_bits(Hdf5Reader(scratch / "f.hdf").array<float>("rough"), rough));
+  EXPECT_EQ(Hdf5Reader(scratch / "f.hdf").array<std::int64_t>("counted"), counted);
+  const auto rough_kinds = kinds_of_blocks(first_chunk(scratch / "f.hdf", "rough"));
+  ASSERT_EQ(rough_kinds.size(), 2u) << "the two low bytes of the mantissas in one block, then what is deflated";
+  EXPECT_EQ(rough_kinds[0], 0);
+  EXPECT_NE(kinds_of_blocks(first_chunk(scratch / "f.hdf", "counted"))[0], 0) << "each byte is as frequent as any other, and yet no noise";
+}
+
+TEST(Hdf5, KeepsMoreNoiseThanABlockHolds) {
+  const TemporaryFolder scratch;
+  const std::vector<float> rough = rough_numbers(5 * 40000);
+  write_file(scratch / "f.hdf", [&](Hdf5Writer& out) { out.table<float>("rough", rough, 5, Packing::shuffle_gzip); });
+  EXPECT_TRUE(same_bits(Hdf5Reader(scratch / "f.hdf").table<float>("rough", 5), rough));
 }
 
 TEST(Hdf5, KeepsAttributesExactly) {

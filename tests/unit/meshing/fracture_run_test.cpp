@@ -56,7 +56,7 @@ class ATornBrick : public testing::Test {
       ids.push_back(k_first + static_cast<std::int64_t>(v));
     }
     write_frame(folder_ / "run/frames" / frame_name(frame), 0.5 * frame,
-                {positions, {{"id", "1", std::span<const std::int64_t>(ids)}, {"temperature", "C", std::span<const float>(temperature)}}});
+                {positions, {{"id", "1", ids}, {"temperature", "C", temperature}}});
   }
 
   FractureOptions options() const {

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// Metrics of frames: what share of the volume is somewhere, has been hot, or has become soft.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/claims/metric.h"
+#include "analysis/claims/volume_share.h"
+#include "solver/core/errors.h"
+
+namespace bake {
+namespace {
+
+bool is_in_box(const std::vector<float>& positions, std::size_t row, const MetricPlace& at) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto x = static_cast<double>(positions[3 * row + axis]);
+    if (x < (*at.low_m)[axis] || x > (*at.high_m)[axis]) return false;
+  }
+  return true;
+}
+
+double share_in_box(const Results& run, const MetricPlace& at) {
+  const FrameReader frame = run.frame(run.frame_at(at.time_s));
+  const auto positions = frame.positions();
+  return volume_share(frame, [&](std::size_t row) { return is_in_box(positions, row, at); });
+}
+
+/// For each particle of `now` whether it started in the box; what was poured later did not.
+std::vector<bool> started_in_box(const FrameReader& start, const FrameReader& now, const MetricPlace& at) {
+  const auto ids = now.identities();
+  const auto last = std::max_element(ids.begin(), ids.end());
+  const auto rows = start.rows_by_identity(0, last == ids.end() ? 0 : static_cast<std::size_t>(*last) + 1);
+  const auto positions = start.positions();
+  std::vector<bool> inside;
+  inside.reserve(ids.size());
+  for (const std::int64_t id : ids) {
+    const std::int64_t row = rows[static_cast<std::size_t>(id)];
+    inside.push_back(row >= 0 && is_in_box(positions, static_cast<std::size_t>(row), at));
+  }
+  return inside;
+}
+
+double heated_share_of(const Results& run, int number, const MetricPlace& at) {
+  const FrameReader frame = run.frame(number);
+  const auto peak = frame.column("peak_temperature");
+  const auto is_hot = [&](std::size_t row) { return static_cast<double>(peak[row]) >= *at.temperature_C; };
+  if (!at.low_m) return volume_share(frame, is_hot);
+  const auto inside = started_in_box(run.frame(0), frame, at);
+  return volume_share(
+      frame, [&](std::size_t row) { return inside[row]; }, is_hot);
+}
+
+double heated_share(const Results& run, const MetricPlace& at) {
+  if (at.low_m.has_value() != at.high_m.has_value()) throw InputError("heated_share: found one corner of a box, allowed: both or none");
+  return heated_share_of(run, run.frame_at(at.time_s), at);
+}
+
+/// The first time, linear between frames, at which the share of the volume that has been hot reaches `share`; infinite if it does not.
+double time_of_share(const std::vector<double>& times, const std::vector<double>& shares, double share) {
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (shares[i] >= share && shares[i - 1] < share)
+      return times[i - 1] + (times[i] - times[i - 1]) * (share - shares[i - 1]) / (shares[i] - shares[i - 1]);
+  return k_infinity;
+}
+
+double heating_window(const Results& run, const MetricPlace& at) {
+  const auto times = run.column("time_s");
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < times.size(); ++i) shares.push_back(heated_share_of(run, static_cast<int>(i), at));
+  const double first = time_of_share(times, shares, 0.1);
+  return (time_of_share(times, shares, 0.9) - first) / first;
+}
+
+/// The yield stress of fig. 8 of each particle, over that at its material's start temperature.
+class RelativeYieldStress {
+ public:
+  RelativeYieldStress(const nlohmann::json& material, const std::filesystem::path& run) {
+    try {
+      theta_ = material.at("temperatures_C").get<std::array<double, 4>>();
+      tau_y_ = material.at("yield_stress_Pa").get<std::array<double, 4>>();
+      at_start_ = curve(material.at("initial_temperature_C").get<double>());
+    } catch (const nlohmann::json::exception&) {
+      throw InputError(fmt::format("{}: found a material without yield stress, allowed: a run with plasticity", run.string()));
+    }
+  }
+  double operator()(double theta, double peak) const { return curve(peak >= theta_[3] ? theta_[3] : theta) / at_start_; }
+
+ private:
+  double curve(double theta) const {
+    double value = tau_y_[0];
+    for (std::size_t i = 0; i < 3; ++i)
+      value += (tau_y_[i + 1] - tau_y_[i]) * std::clamp((theta - theta_[i]) / (theta_[i + 1] - theta_[i]), 0.0, 1.0);
+    return value;
+  }
+  std::array<double, 4> theta_{}, tau_y_{};
+  double at_start_ = 0;
+};
+
+/// The number and the table of the material with that name.
+std::pair<std::size_t, nlohmann::json> find_material(const Results& run, const std::string& name) {
+  const auto& scene = run.description().at("scene");
+  const auto materials = scene.value("material", nlohmann::json::array());
+  std::vector<std::string> known;
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    if (materials[i].at("name") == name) return {i, materials[i]};
+    known.push_back(materials[i].at("name"));
+  }
+  throw InputError(fmt::format("{}: found no material '{}', allowed: {}", run.folder().string(), name, fmt::join(known, ", ")));
+}
+
+double softened_share(const Results& run, const MetricPlace& at) {
+  const auto [number, material] = find_material(run, *at.material);
+  const RelativeYieldStress yield_stress(material, run.folder());
+  const FrameReader frame = run.frame(run.frame_at(at.time_s));
+  const auto materials = frame.column("material"), temperatures = frame.column("temperature"), peaks = frame.column("peak_temperature");
+  return volume_share(
+      frame, [&, own = static_cast<float>(number)](std::size_t row) { return materials[row] == own; },
+      [&](std::size_t row) {
+        return yield_stress(static_cast<double>(temperatures[row]), static_cast<double>(peaks[row])) <= *at.softened_to;
+      });
+}
+
+}  // namespace
+
+std::vector<Metric> region_metrics() {
+  return {
+      {"share_in_box",
+       "1",
+       "share of the volume that is in the box from low_m to high_m",
+       share_in_box,
+       nullptr,
+       {"low_m", "high_m"},
+       {"time_s"}},
+      {"heated_share",
+       "1",
+       "share of the volume that has been at temperature_C: gelatinised, for dough; with low_m and high_m of what started in that box",
+       heated_share,
+       nullptr,
+       {"temperature_C"},
+       {"time_s", "low_m", "high_m"}},
+      {"heating_window",
+       "1",
+       "time from which a tenth of the volume has been at temperature_C until nine tenths have, over the time until that tenth has",
+       heating_window,
+       nullptr,
+       {"temperature_C"}},
+      {"softened_share",
+       "1",
+       "share of the material's volume whose yield stress is at most softened_to of that at the start: melted, for chocolate",
+       softened_share,
+       nullptr,
+       {"material", "softened_to"},
+       {"time_s"}},
+  };
+}
+
+}  // namespace bake

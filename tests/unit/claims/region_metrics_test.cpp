@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// Metrics of what share of the volume is where, was hot or is soft, on frames that are written by hand.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "analysis/claims/metric.h"
+#include "solver/core/errors.h"
+#include "solver/io/frames.h"
+#include "tests/support/temporary_folder.h"
+
+namespace bake {
+namespace {
+
+struct Grain {
+  std::int64_t id;
+  Vector3 at;
+  float temperature = 20, peak = 20, volume = 1;
+  std::int64_t material = 0;
+};
+
+class RegionMetrics : public testing::Test {
+ protected:
+  RegionMetrics() {
+    std::filesystem::create_directories(folder_ / "frames");
+    std::ofstream(folder_ / "run.json") << R"({"summary": {"state": "done"}, "scene": {"material": [
+      {"name": "batter", "initial_temperature_C": 5, "temperatures_C": [4, 20, 45, 80], "yield_stress_Pa": [2, 2, 2, 2000]},
+      {"name": "chocolate", "initial_temperature_C": 12, "temperatures_C": [4, 20, 30, 70], "yield_stress_Pa": [3000, 1000, 100, 4000]},
+      {"name": "water"}]}})";
+    std::ofstream(folder_ / "ledger.csv") << "time_s\n0\n1\n2\n4\n";
+  }
+  void frame(int number, const std::vector<Grain>& grains) const {
+    std::vector<float> places, temperature, peak, volume;
+    std::vector<std::int64_t> ids, material;
+    for (const Grain& grain : grains) {
+      for (const double x : grain.at) places.push_back(static_cast<float>(x));
+      temperature.push_back(grain.temperature);
+      peak.push_back(grain.peak);
+      volume.push_back(grain.volume);
+      ids.push_back(grain.id);
+      material.push_back(grain.material);
+    }
+    write_frame(folder_ / "frames" / frame_name(number), number,
+                {places,
+                 {{"temperature", "C", temperature},
+                  {"peak_temperature", "C", peak},
+                  {"volume", "m^3", volume},
+                  {"material", "1", material},
+                  {"id", "1", ids}}});
+  }
+  double measure(const char* metric, const MetricPlace& place) const { return find_metric(metric).of_run(Results(folder_.path()), place); }
+  const TemporaryFolder folder_;
+};
+
+MetricPlace unit_box() {
+  MetricPlace place;
+  place.low_m = Vector3{0, 0, 0};
+  place.high_m = Vector3{1, 1, 1};
+  return place;
+}
+
+MetricPlace hot(double temperature_C) {
+  MetricPlace place;
+  place.temperature_C = temperature_C;
+  return place;
+}
+
+TEST_F(RegionMetrics, FindTheShareThatIsInABoxNow) {
+  frame(0, {{1, {0.5, 0.5, 0.5}}, {2, {2, 0.5, 0.5}}, {3, {0.5, 0.5, 3}}});
+  frame(3, {{3, {0.5, 0.5, 0.9}, 20, 20, 3}, {1, {0.5, 0.5, -0.1}, 20, 20, 2}, {2, {0.9, 0.1, 0.5}, 20, 20, 5}});
+  EXPECT_DOUBLE_EQ(measure("share_in_box", unit_box()), 0.8);
+  MetricPlace start = unit_box();
+  start.time_s = 0;
+  EXPECT_DOUBLE_EQ(measure("share_in_box", start), 1.0 / 3);
+}
+
+TEST_F(RegionMetrics, FindTheShareThatWasHotOfWhatStartedInABox) {
+  frame(0, {{1, {0.5, 0.5, 0.5}}, {2, {0.1, 0.1, 0.1}}, {3, {5, 0, 0}}});
+  // 2 has left the box, 3 has come into it, and 4 was poured
+  frame(3, {{4, {0.5, 0.5, 0.5}, 20, 90, 8}, {3, {0.5, 0, 0}, 20, 90, 4}, {2, {9, 9, 9}, 20, 90, 3}, {1, {0.5, 0.5, 0.5}, 85, 70, 1}});
+  EXPECT_DOUBLE_EQ(measure("heated_share", hot(80)), 15.0 / 16) << "of all: peaks count, not what is now";
+  MetricPlace place = unit_box();
+  place.temperature_C = 80;
+  EXPECT_DOUBLE_EQ(measure("heated_share", place), 0.75);
+  place.low_m = Vector3{20, 20, 20};
+  place.high_m = Vector3{21, 21, 21};
+  EXPECT_TRUE(std::isnan(measure("heated_share", place))) << "nothing started there";
+  place.high_m.reset();
+  EXPECT_THROW(measure("heated_share", place), InputError);
+}
+
+TEST_F(RegionMetrics, FindHowLongSettingTakesBesideTheTimeUntilItBegins) {
+  const auto hot_ones = [](int count) {
+    std::vector<Grain> grains;
+    for (int i = 0; i < 10; ++i) grains.push_back({i, {0, 0, 0.1 * i}, 20, i < count ? 70.f : 20.f});
+    return grains;
+  };
+  for (int number = 0; number < 4; ++number) frame(number, hot_ones(std::array{0, 0, 2, 10}[static_cast<std::size_t>(number)]));
+  // a tenth at 1.5 s, halfway from none at 1 s to two tenths at 2 s; nine tenths at 2 + 2 * 7 / 8 s
+  EXPECT_NEAR(measure("heating_window", hot(60)), (3.75 - 1.5) / 1.5, 1e-12);
+  EXPECT_FALSE(std::isfinite(measure("heating_window", hot(80)))) << "nothing ever was that hot";
+  frame(3, hot_ones(8));
+  EXPECT_EQ(measure("heating_window", hot(60)), k_infinity) << "nine tenths never were";
+}
+
+TEST_F(RegionMetrics, FindWhatHasMeltedOfOneMaterial) {
+  // chocolate starts at 12 C with 2000 Pa, halfway from 3000 to 1000: a tenth of that is 200 Pa, at 28.9 C and from there to 31 C
+  frame(0, {{1, {0, 0, 0}}});
+  frame(3, {{1, {0, 0, 0}, 30, 30, 1, 1},     // 100 Pa
+            {2, {0, 0, 0}, 28, 28, 2, 1},     // 280 Pa
+            {3, {0, 0, 0}, 30, 75, 4, 1},     // 4000 Pa for ever: it has been above theta_4
+            {4, {0, 0, 0}, 10, 69, 8, 1},     // 2250 Pa: hot below theta_4 it was, and it is cold again
+            {5, {0, 0, 0}, 30, 30, 64, 0}});  // batter
+  MetricPlace place;
+  place.material = std::string("chocolate");
+  place.softened_to = 0.1;
+  EXPECT_DOUBLE_EQ(measure("softened_share", place), 1.0 / 15);
+  place.softened_to = 0.15;
+  EXPECT_DOUBLE_EQ(measure("softened_share", place), 3.0 / 15);
+  place.material = std::string("batter");
+  EXPECT_DOUBLE_EQ(measure("softened_share", place), 0) << "2 Pa from first to last";
+  place.material = std::string("water");
+  EXPECT_THROW(measure("softened_share", place), InputError);
+  place.material = std::string("cocoa");
+  const std::string message = message_of<InputError>([&] { measure("softened_share", place); });
+  EXPECT_NE(message.find("found no material 'cocoa', allowed: batter, chocolate, water"), std::string::npos) << message;
+}
+
+}  // namespace
+}  // namespace bake
