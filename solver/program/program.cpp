@@ -23,6 +23,8 @@
 namespace bake::cli {
 namespace {
 
+constexpr const char* k_not_printed = "cannot write to the standard output";
+
 int fail(const CLI::App& app, ExitCode code, std::string message) {
   std::replace(message.begin(), message.end(), '\n', ' ');
   fmt::print(stderr, "{}: {}\n", app.get_name(), message);
@@ -84,6 +86,7 @@ int run_and_tell_errors(CLI::App& app, const Action& action, std::vector<std::st
   } catch (const std::filesystem::filesystem_error& error) {
     return fail(app, k_failed_run, reason_of(error));
   } catch (const std::system_error& error) {
+    if (std::ferror(stdout) != 0) return fail(app, k_failed_run, k_not_printed);
     return fail(app, k_failed_run, fmt::format("the system refuses: {}", error.code().message()));
   } catch (const std::exception& error) {
     return fail(app, k_failed_run, fmt::format("a fault of the program itself, please report it: {}", error.what()));
@@ -97,7 +100,7 @@ int run_program(CLI::App& app, const Action& action, int count, char** words) {
   let_waiting_threads_sleep(words);
   const int code = run_and_tell_errors(app, action, {words + 1, words + count});
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
-  return code != k_success ? code : fail(app, k_failed_run, "cannot write to the standard output");
+  return code != k_success ? code : fail(app, k_failed_run, k_not_printed);
 }
 
 CLI::Validator whole_number(std::int64_t low, std::int64_t high) {
