@@ -70,6 +70,7 @@ Results results_of(const Figure& figure, const CheckArguments& arguments) {
   RunOptions options;
   options.out = arguments.out.empty() ? default_results(scene) : arguments.out;
   options.quiet = arguments.quiet;
+  options.replace = Replace::same_file;
   complete_run(scene, options, kept_run(scene, options.out));
   return Results(options.out);
 }
@@ -123,7 +124,7 @@ int check(const CheckArguments& arguments) {
 void add_check_commands(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<CheckArguments>();
   const auto add_common = [&](CLI::App& command) {
-    command.add_option("--out", arguments->out, "folder of the results [results/<scene>-draft]")->type_name("DIR");
+    command.add_option("--out", arguments->out, "folder of the results [results/<scene>-draft]")->type_name("DIR")->check(not_empty());
     command.add_flag("--quiet", arguments->quiet, "no progress");
   };
   CLI::App& check_command = *app.add_subcommand("check", "Compare a run with what is claimed of its scene");

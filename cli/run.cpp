@@ -21,6 +21,7 @@ struct RunArguments {
   std::optional<double> end_s;
   std::string precision;
   std::vector<std::string> overrides;
+  bool overwrite = false;
   RunOptions options;
 };
 
@@ -35,6 +36,7 @@ Scene read(const RunArguments& arguments) {
 int run(const RunArguments& arguments) {
   const Scene scene = read(arguments);
   RunOptions options = arguments.options;
+  options.replace = arguments.overwrite ? Replace::any_run : options.out.empty() ? Replace::same_file : Replace::same_scene;
   if (options.out.empty()) options.out = default_results(scene);
   const RunSummary summary = run_scene(scene, options);
   if (!options.quiet) fmt::print("{}\n", summary.text);
@@ -58,7 +60,10 @@ void add_run_command(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<RunArguments>();
   CLI::App& command = *app.add_subcommand("run", "Simulate a scene");
   command.add_option("scene", arguments->scene, "name (see `bake list`) or path of a .toml file")->required();
-  command.add_option("--out", arguments->options.out, "folder of the results [results/<scene>-<quality>]")->type_name("DIR");
+  command.add_option("--out", arguments->options.out, "folder of the results [results/<scene>-<quality>]")
+      ->type_name("DIR")
+      ->check(not_empty());
+  command.add_flag("--overwrite", arguments->overwrite, "replace what is in --out, even if it is of another scene or of other values");
   add_quality_option(command, arguments->quality);
   auto* end = command.add_option("--end", arguments->end_s, "simulated time at which the run ends, instead of the scene's");
   end->type_name("SECONDS")->check(CLI::Validator(refuse_unless_positive, ""));
@@ -68,7 +73,8 @@ void add_run_command(CLI::App& app, Action& action) {
   command.add_option("--precision", arguments->precision, "floating-point numbers, instead of the scene's")
       ->check(CLI::IsMember({"single", "double"}));
   add_set_option(command, arguments->overrides);
-  command.add_flag("--resume", arguments->options.resume, "continue from the newest checkpoint in the folder of the results");
+  command.add_flag("--resume", arguments->options.resume,
+                   "continue from the checkpoint in the folder of the results; begin if there is none");
   command.add_flag("--quiet", arguments->options.quiet, "print errors only");
   command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
 }

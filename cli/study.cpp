@@ -35,7 +35,7 @@ void add_study_command(CLI::App& app, Action& action) {
   CLI::App& command = *app.add_subcommand("study", "Measure how well the solver does, and write tables of it");
   command.footer(fmt::format("Studies:\n{}", fmt::join(lines, "\n")));
   command.add_option("study", *name, "which study")->required()->check(CLI::IsMember(names));
-  command.add_option("--out", options->out, "folder of the tables [results/studies/<study>]")->type_name("DIR");
+  command.add_option("--out", options->out, "folder of the tables [results/studies/<study>]")->type_name("DIR")->check(not_empty());
   auto* quick = command.add_flag("--quick", options->quick, "the coarse resolutions only");
   command.add_flag("--full", options->full, "accuracy: also what takes a night; a study that was stopped continues")->excludes(quick);
   command.add_option("--case", options->cases, "convergence, accuracy: measure this case only and keep the others; may be repeated")

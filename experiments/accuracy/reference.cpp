@@ -85,6 +85,7 @@ void make_reference(const ReferencedScene& of, const fs::path& folder) {
   const Scene scene = fine_scene(of);
   RunOptions options;
   options.out = folder / ("reference-" + of.name);
+  options.replace = Replace::any_run;  // the folder is named by the run
   complete_run(scene, options, kept_run(scene, options.out));
   const Results run(options.out);
   const json stored{{"case", of.name},

@@ -62,6 +62,7 @@ void make_run(const FigurePaths& paths, const FigureRun& run) {
   options.out = paths.run(run.name);
   options.threads = paths.options.threads;
   options.quiet = paths.options.quiet;
+  options.replace = Replace::any_run;  // the folder is named by the run
   const KeptRun kept = kept_run(scene, options.out);
   say(paths.options, fmt::format("run {}: {}", run.name,
                                  kept == KeptRun::finished     ? "is finished already"

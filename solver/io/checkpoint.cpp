@@ -102,13 +102,15 @@ void CheckpointWriter::commit() {
 
 CheckpointReader::CheckpointReader(const std::filesystem::path& path) : in_(verified(path)) {}
 
-void CheckpointReader::expect(std::string_view fingerprint, Precision precision) const {
+void CheckpointReader::expect(std::string_view fingerprint, Precision precision, const std::function<std::string()>& difference) const {
   const auto written = in_.attribute<std::string>("/", "precision");
   if (written != word_of(precision)) {
     throw InputError(fmt::format("{}: written in {} precision, the run asks for {}; resume with precision = \"{}\"", in_.path().string(),
                                  written, word_of(precision), written));
   }
-  if (in_.attribute<std::string>("/", "fingerprint") != fingerprint) throw refused(in_.path(), "belongs to another scene");
+  if (in_.attribute<std::string>("/", "fingerprint") == fingerprint) return;
+  const std::string where = difference();
+  throw refused(in_.path(), "belongs to another scene" + (where.empty() ? where : fmt::format(" ({})", where)));
 }
 
 void CheckpointReader::expect_type(const std::string& name, ElementType type) const {

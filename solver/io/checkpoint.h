@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,7 +19,7 @@
 
 namespace bake {
 
-inline constexpr int k_checkpoint_format = 2;
+inline constexpr int k_checkpoint_format = 3;
 inline constexpr std::size_t k_checkpoint_heading = 512;  ///< bytes
 
 /// Writes a checkpoint piece by piece into a temporary file; commit() renames it to `path`.
@@ -50,8 +51,11 @@ class CheckpointReader {
   /// Reads the whole file once to compare its checksum.
   explicit CheckpointReader(const std::filesystem::path& path);
 
-  /// Throws unless the checkpoint was written by a run of this scene with this precision.
-  void expect(std::string_view fingerprint, Precision precision) const;
+  /// Throws unless the checkpoint was written by a run of this scene with this precision. `difference` tells where another scene differs
+  /// ("grid.dx_m: found 0.01, there 0.02"); empty if that is not known.
+  void expect(
+      std::string_view fingerprint, Precision precision,
+      const std::function<std::string()>& difference = [] { return std::string(); }) const;
   bool has_array(const std::string& name) const { return in_.has("arrays/" + name); }
   /// T must be the type that was written.
   template <Hdf5Number T>

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -122,6 +123,10 @@ LedgerFile LedgerFile::resume(const std::filesystem::path& path, const std::vect
 
 void LedgerFile::append(std::span<const double> row) {
   if (row.size() != columns_) throw std::invalid_argument(fmt::format("a ledger row of {} values for {} columns", row.size(), columns_));
+  struct stat there {
+  }, ours{};
+  if (::stat(path_.c_str(), &there) != 0 || ::fstat(descriptor_, &ours) != 0 || there.st_ino != ours.st_ino || there.st_dev != ours.st_dev)
+    throw OutputError(fmt::format("{}: cannot append: the file was removed or replaced meanwhile", path_.string()));
   const auto text = line_of(row);
   const auto before = ::lseek(descriptor_, 0, SEEK_END);
   errno = ENOSPC;  // a write that stops half way sets no error: there was no room for the rest

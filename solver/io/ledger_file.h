@@ -37,7 +37,7 @@ class LedgerFile {
   LedgerFile(LedgerFile&& other) noexcept;
   LedgerFile& operator=(LedgerFile&&) = delete;
 
-  /// Appends a row, with 17 significant digits. Throws OutputError, the file then ends with the row before;
+  /// Appends a row, with 17 significant digits. Throws OutputError, the file then ends with the row before (or is no longer there);
   /// std::invalid_argument if the row is not as long as the heading.
   void append(std::span<const double> row);
 

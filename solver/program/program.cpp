@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "solver/program/program.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdio>
+#include <filesystem>
 #include <new>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
 
 #include "solver/core/errors.h"
 #include "solver/io/atomic_file.h"
@@ -16,6 +22,8 @@
 
 namespace bake::cli {
 namespace {
+
+constexpr const char* k_not_printed = "cannot write to the standard output";
 
 int fail(const CLI::App& app, ExitCode code, std::string message) {
   std::replace(message.begin(), message.end(), '\n', ' ');
@@ -51,21 +59,48 @@ int run_command_line(CLI::App& app, const Action& action, std::vector<std::strin
   return action();
 }
 
+/// A standard stream that is closed would give its number to the next file that is opened, and what is printed would go into that.
+void hold_standard_streams() {
+  for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
+    if (::fcntl(stream, F_GETFD) < 0 && ::open("/dev/null", O_RDONLY) < 0) return;  // read only: to print there fails as before
+}
+
+/// What a failed call of the system says; nothing of the library that called it.
+std::string reason_of(const std::filesystem::filesystem_error& error) {
+  return fmt::format("{}: {}", error.path1().string(), error.code().message());
+}
+
+int run_and_tell_errors(CLI::App& app, const Action& action, std::vector<std::string> arguments) {
+  try {
+    return run_command_line(app, action, std::move(arguments));
+  } catch (const InputError& error) {
+    return fail(app, k_wrong_use, error.what());
+  } catch (const OutputError& error) {  // a folder that cannot be written; a run that has begun throws RunError
+    return fail(app, k_wrong_use, error.what());
+  } catch (const RunError& error) {
+    return fail(app, k_failed_run, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(app, k_failed_run, "out of memory");
+  } catch (const std::length_error&) {  // more numbers than an array can have
+    return fail(app, k_failed_run, "out of memory");
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail(app, k_failed_run, reason_of(error));
+  } catch (const std::system_error& error) {
+    if (std::ferror(stdout) != 0) return fail(app, k_failed_run, k_not_printed);
+    return fail(app, k_failed_run, fmt::format("the system refuses: {}", error.code().message()));
+  } catch (const std::exception& error) {
+    return fail(app, k_failed_run, fmt::format("a fault of the program itself, please report it: {}", error.what()));
+  }
+}
+
 }  // namespace
 
 int run_program(CLI::App& app, const Action& action, int count, char** words) {
+  hold_standard_streams();
   let_waiting_threads_sleep(words);
-  try {
-    return run_command_line(app, action, {words + 1, words + count});
-  } catch (const InputError& error) {
-    return fail(app, k_wrong_use, error.what());
-  } catch (const OutputError& error) {  // a full disk, a folder that cannot be written
-    return fail(app, k_wrong_use, error.what());
-  } catch (const std::bad_alloc&) {
-    return fail(app, k_failed_run, "out of memory");
-  } catch (const std::exception& error) {
-    return fail(app, k_failed_run, error.what());
-  }
+  const int code = run_and_tell_errors(app, action, {words + 1, words + count});
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  return code != k_success ? code : fail(app, k_failed_run, k_not_printed);
 }
 
 CLI::Validator whole_number(std::int64_t low, std::int64_t high) {
@@ -78,6 +113,11 @@ CLI::Validator whole_number(std::int64_t low, std::int64_t high) {
     return {};
   };
   return {take, ""};
+}
+
+CLI::Validator not_empty() {
+  const auto check = [](std::string& text) { return text.empty() ? std::string("found an empty name, allowed: a path") : std::string(); };
+  return {check, ""};
 }
 
 void add_quality_option(CLI::App& command, Quality& quality) {

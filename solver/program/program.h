@@ -13,7 +13,12 @@
 namespace bake::cli {
 
 /// The exit codes of the programs.
-enum ExitCode { k_success = 0, k_failed_check = 1, k_wrong_use = 2, k_failed_run = 3 };
+enum ExitCode {
+  k_success = 0,
+  k_failed_check = 1,
+  k_wrong_use = 2,   ///< or bad input, or a place that cannot be written, before a run has begun
+  k_failed_run = 3,  ///< or interrupted; or what was found cannot be printed
+};
 
 /// What a command does; it returns the exit code.
 using Action = std::function<int()>;
@@ -24,6 +29,9 @@ int run_program(CLI::App& app, const Action& action, int count, char** words);
 
 /// Takes whole numbers from `low` to `high`, in base ten: CLI11 by itself reads 010 as 8. To be given to CLI::Option::transform.
 CLI::Validator whole_number(std::int64_t low, std::int64_t high);
+
+/// Takes every text but the empty one. To be given to CLI::Option::check.
+CLI::Validator not_empty();
 
 /// Adds the option --quality, which sets `quality`.
 void add_quality_option(CLI::App& command, Quality& quality);

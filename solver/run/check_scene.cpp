@@ -12,6 +12,7 @@
 #include "solver/grid/grid.h"
 #include "solver/io/provenance.h"
 #include "solver/run/fill_scene.h"
+#include "solver/run/frame_times.h"
 #include "solver/scene/scene.h"
 
 namespace bake {
@@ -80,6 +81,7 @@ void check_size(const Scene& scene) {
 }
 
 void check_scene(const Scene& scene) {
+  const FrameTimes times(scene);  // throws if they cannot be counted
   check_size(scene);
   check_filling(scene);
 }

@@ -10,8 +10,8 @@ struct Scene;
 /// nothing large.
 void check_size(const Scene& scene);
 
-/// Throws whatever beginning a simulation of the scene would throw as InputError: beside check_size, a body or an emitter without a
-/// particle or with one outside the domain, or a file of particles that cannot be used.
+/// Throws whatever beginning a run of the scene would throw as InputError: beside check_size, a body or an emitter without a particle or
+/// with one outside the domain, a file of particles that cannot be used, or more frames than can be counted.
 void check_scene(const Scene& scene);
 
 }  // namespace bake

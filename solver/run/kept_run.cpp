@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "solver/io/provenance.h"
+#include "solver/run/frame_times.h"
 #include "solver/scene/resolved.h"
 #include "solver/scene/scene.h"
 
@@ -27,7 +28,7 @@ KeptRun kept_run(const Scene& scene, const std::filesystem::path& folder) {
     const nlohmann::json run = nlohmann::json::parse(in);
     const nlohmann::json now = provenance()["program"];
     if (identity(run.at("scene"), run.at("provenance").at("program")) != identity(resolved(scene), now)) return KeptRun::none;
-    const bool reached_the_end = run.at("summary").at("time_s").get<double>() > scene.run.end_s - 0.5 / scene.run.frame_rate_per_s;
+    const bool reached_the_end = run.at("summary").at("time_s").get<double>() >= FrameTimes(scene).end_s();
     if (run.at("summary").at("state") == "done" && reached_the_end) return KeptRun::finished;
     return std::filesystem::exists(folder / "checkpoint.h5") ? KeptRun::unfinished : KeptRun::none;
   } catch (const nlohmann::json::exception&) {

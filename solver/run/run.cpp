@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "solver/run/run.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <omp.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <cmath>
@@ -20,7 +22,9 @@
 #include "solver/io/scratch_folder.h"
 #include "solver/run/check_scene.h"
 #include "solver/run/describe_bodies.h"
+#include "solver/run/frame_times.h"
 #include "solver/run/ledger.h"
+#include "solver/run/results_folder.h"
 #include "solver/run/simulation.h"
 #include "solver/scene/describe.h"
 #include "solver/scene/resolved.h"
@@ -54,55 +58,25 @@ class StopSignals {
   struct sigaction old_int_, old_term_;
 };
 
-/// The files of a run in the folder of its results.
-struct ResultFiles {
-  std::filesystem::path folder;
-  std::filesystem::path frames() const { return folder / "frames"; }
-  std::filesystem::path series() const { return folder / "frames.hdf.series"; }
-  std::filesystem::path ledger() const { return folder / "ledger.csv"; }
-  std::filesystem::path checkpoint() const { return folder / "checkpoint.h5"; }
-  std::filesystem::path description() const { return folder / "run.json"; }
-};
-
-double frame_time(const Scene& scene, int frame) { return frame / scene.run.frame_rate_per_s; }
-
-int frame_count(const Scene& scene, const RunOptions& options) {
-  if (options.frames) return *options.frames;
-  return std::max(1, static_cast<int>(std::ceil(scene.run.end_s * scene.run.frame_rate_per_s - 1e-9)));
-}
-
-void save_checkpoint(const Scene& scene, const ResultFiles& results, const Simulation& simulation, int frame) {
-  CheckpointWriter out(results.checkpoint(), scene_fingerprint(scene), scene.run.precision);
-  simulation.write(out);
-  out.set("frame", static_cast<std::int64_t>(frame));
-  out.commit();
-}
-
-void save_series(const Scene& scene, const ResultFiles& results, int frames) {
-  std::vector<SeriesEntry> entries;
-  for (int f = 0; f <= frames; ++f) entries.push_back({"frames/" + frame_name(f), frame_time(scene, f)});
-  write_series(results.series(), entries);
-}
-
-/// Writes what a frame leaves; the ledger comes last, so that its rows are those of whole frames.
-void save_frame(const Scene& scene, const ResultFiles& results, int frame, const PackedFrame& data, LedgerFile& ledger,
-                const std::vector<double>& row) {
-  try {
-    write_frame(results.frames() / frame_name(frame), data);
-    save_series(scene, results, frame);
-    ledger.append(row);
-  } catch (const OutputError& error) {
-    throw OutputError(fmt::format("frame {}: {}", frame, error.what()));
+/// A descriptor that is held back, so that the end of a run can be written down when there are no others left.
+class SpareDescriptor {
+ public:
+  ~SpareDescriptor() { give_up(); }
+  void give_up() {
+    if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
   }
-}
+
+ private:
+  int descriptor_ = ::open("/dev/null", O_RDONLY | O_CLOEXEC);
+};
 
 double value(const std::vector<double>& row, std::string_view column) {
   const auto names = ledger_columns();
   return row[static_cast<std::size_t>(std::find(names.begin(), names.end(), column) - names.begin())];
 }
 
-std::string summary_text(const Scene& scene, const ResultFiles& results, const std::vector<double>& first, const std::vector<double>& last,
-                         double inertia_scale, double wall, std::int64_t particle_steps) {
+std::string summary_text(const Scene& scene, const ResultsFolder& results, const std::vector<double>& first,
+                         const std::vector<double>& last, double inertia_scale, double wall, std::int64_t particle_steps) {
   const auto now = [&](std::string_view c) { return value(last, c); };
   std::string text =
       fmt::format("{}: {:.4g} s simulated, {} particles, {} steps\n", scene.title.empty() ? scene.file.stem().string() : scene.title,
@@ -123,7 +97,7 @@ std::string summary_text(const Scene& scene, const ResultFiles& results, const s
   if (now("retired_particles") > 0) text += fmt::format("  retired at open faces: {} particles\n", std::int64_t(now("retired_particles")));
   text += fmt::format("  speed        {:.2f} million particle-steps/s ({:.1f} s)\n",
                       wall > 0 ? static_cast<double>(particle_steps) / wall / 1e6 : 0, wall);
-  text += fmt::format("  results      {}", results.folder.string());
+  text += fmt::format("  results      {}", results.path().string());
   return text;
 }
 
@@ -139,45 +113,236 @@ double load_average() {
   return getloadavg(&load, 1) == 1 ? load : std::nan("");
 }
 
-/// Writes run.json: what the run is, and its state so far. `wall`: the seconds that `particle_steps` took, including those before the run
-/// was resumed.
-void save_description(const Scene& scene, const ResultFiles& results, const char* state, const std::vector<double>& row, double wall,
-                      std::int64_t particle_steps) {
-  nlohmann::json summary;
-  const auto names = ledger_columns();
-  for (std::size_t i = 0; i < row.size(); ++i) summary[names[i]] = row[i];
-  summary["state"] = state;
-  summary["wall_s"] = wall;
-  summary["particle_steps"] = particle_steps;
-  summary["peak_memory_bytes"] = peak_memory_bytes();
-  summary["load_average"] = load_average();
-  nlohmann::json made = provenance();
-  made["threads"] = omp_get_max_threads();
-  made["seed"] = scene.run.seed;
-  const nlohmann::json all{{"scene", resolved(scene)}, {"provenance", made}, {"summary", summary}};
-  write_text_atomically(results.description(), all.dump(2) + "\n");
+/// The threads of a parallel loop: fewer than were asked for if the environment limits them (OMP_THREAD_LIMIT, OMP_DYNAMIC).
+int threads_that_run() {
+  int threads = 1;
+#pragma omp parallel
+#pragma omp single
+  threads = omp_get_num_threads();
+  return threads;
 }
 
 /// The seconds that the run took before it is resumed; 0 if its description is lost. They are not part of the checkpoint, so that an
 /// interrupted run ends with the same checkpoint, bit for bit, as an uninterrupted one.
-double wall_so_far(const ResultFiles& results) {
+double wall_so_far(const ResultsFolder& results) {
   std::ifstream in(results.description());
   const nlohmann::json run = nlohmann::json::parse(in, nullptr, false);
-  return run.is_object() ? run.value(nlohmann::json::json_pointer("/summary/wall_s"), 0.0) : 0.0;
+  const nlohmann::json::json_pointer place("/summary/wall_s");
+  return run.is_object() && run.contains(place) && run[place].is_number() ? run[place].get<double>() : 0;
 }
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw InputError(folder.string() + ": cannot make this folder: " + error.message() + ", allowed: a place that can be written (--out)");
+/// A run from its start, or from a checkpoint, to its end.
+class Run {
+ public:
+  Run(const Scene& scene, const RunOptions& options)
+      : scene_(scene),
+        options_(options),
+        times_(scene, options.frames),
+        results_(options.out),
+        progress_(progress_on_stderr(options.quiet)) {}
+
+  /// Makes the folder and writes the first frame. Throws InputError while old results are untouched, OutputError.
+  void begin();
+  /// Reads the checkpoint. Throws InputError, and then has changed nothing.
+  void resume();
+  /// Throws OutputError, RunError and std::bad_alloc.
+  RunSummary go_on();
+  /// Writes down that the run has failed, if that can be written.
+  void fail() noexcept;
+
+ private:
+  void save_checkpoint() const;
+  void save_series(int frame) const;
+  void save_frame(int frame, const PackedFrame& data, const std::vector<double>& row);
+  void save_description(const char* state) const;
+  bool advance();
+  void expect_results() const;
+  Standing standing() const;
+  std::string finish(const char* state) const;
+  double wall_here() const { return steady_seconds() - began_; }
+  std::int64_t steps_here() const { return simulation_->counters().particle_steps - old_steps_; }
+
+  const Scene& scene_;
+  const RunOptions& options_;
+  const FrameTimes times_;
+  ResultsFolder results_;
+  SpareDescriptor spare_;
+  Progress progress_;
+  std::unique_ptr<Simulation> simulation_;
+  int frame_ = 0;  ///< the last one that was reached
+  double began_ = steady_seconds(), wall_before_ = 0;
+  std::int64_t old_steps_ = 0;        ///< particle-steps before it was resumed
+  std::vector<double> first_, last_;  ///< rows of the ledger
+  std::optional<LedgerFile> ledger_;
+  std::optional<BackgroundWriter> writer_;  ///< behind all that its jobs use
+};
+
+void Run::begin() {
+  simulation_ = Simulation::begin(scene_, times_(1));  // before anything is written, so that a bad scene leaves old results untouched
+  results_.take(scene_, options_.replace);
+  if (options_.resume && !options_.quiet)
+    fmt::print(stderr, "bake: {}: found no checkpoint, so the run begins at its start\n", results_.path().string());
+  results_.clear();
+  first_ = last_ = ledger_row(*simulation_);
+  began_ = steady_seconds();
+  try {
+    save_description("running");
+    ledger_.emplace(LedgerFile::create(results_.ledger(), ledger_columns()));
+    save_frame(0, simulation_->packed_frame(), first_);
+  } catch (...) {
+    fail();
+    throw;
+  }
 }
 
-void clear_old(const ResultFiles& results) {
-  std::error_code ignored;
-  for (const auto& path : {results.series(), results.ledger(), results.checkpoint(), results.description()})
-    std::filesystem::remove(path, ignored);
-  std::filesystem::remove_all(results.frames(), ignored);
+void Run::resume() {
+  results_.take_to_resume();
+  const CheckpointReader checkpoint(results_.checkpoint());
+  checkpoint.expect(scene_fingerprint(scene_), scene_.run.precision, [&] { return results_.difference(scene_); });
+  const auto frame = checkpoint.value<std::int64_t>("frame");
+  const auto next = checkpoint.value<double>("next_frame_s");
+  const auto refuse = [&](const std::string& found) {
+    throw InputError(fmt::format("{}: {}; start the run anew, or give it the end that it had", results_.checkpoint().string(), found));
+  };
+  if (frame > times_.last()) refuse(fmt::format("is of frame {}, behind the end at frame {}", frame, times_.last()));
+  frame_ = static_cast<int>(frame);
+  if (next != times_(frame_ + 1))  // the lengths of the steps would not be those of a run that never stopped
+    refuse(fmt::format("found a run whose frame {} is due at {:g} s, with this end it is at {:g} s", frame_ + 1, next, times_(frame_ + 1)));
+  try {
+    results_.expect_whole(times_, frame_);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}; the checkpoint needs what was written before it: start the run anew", error.what()));
+  }
+  simulation_ = Simulation::resume(scene_, checkpoint);
+  if (frame_ == times_.last() && simulation_->time() > times_.end_s())
+    refuse(fmt::format("is of {:g} s, behind the end at {:g} s", simulation_->time(), times_.end_s()));
+  old_steps_ = simulation_->counters().particle_steps;
+  wall_before_ = wall_so_far(results_);
+  began_ = steady_seconds();
+  results_.remove_frames_behind(frame_);
+  ledger_.emplace(LedgerFile::resume(results_.ledger(), ledger_columns(), times_(frame_)));
+  const Ledger rows = read_ledger(results_.ledger());
+  first_ = rows.rows.front();
+  last_ = rows.rows.back();
+  save_series(frame_);
+  save_description("running");
+}
+
+void Run::save_checkpoint() const {
+  CheckpointWriter out(results_.checkpoint(), scene_fingerprint(scene_), scene_.run.precision);
+  simulation_->write(out);
+  out.set("frame", static_cast<std::int64_t>(frame_));
+  out.set("next_frame_s", times_(frame_ + 1));
+  out.commit();
+}
+
+void Run::save_series(int frame) const {
+  std::vector<SeriesEntry> entries;
+  for (int f = 0; f <= frame; ++f) entries.push_back({"frames/" + frame_name(f), times_(f)});
+  write_series(results_.series(), entries);
+}
+
+/// Writes what a frame leaves; the ledger comes last, so that its rows are those of whole frames.
+void Run::save_frame(int frame, const PackedFrame& data, const std::vector<double>& row) {
+  try {
+    write_frame(results_.frame(frame), data);
+    save_series(frame);
+    ledger_->append(row);
+  } catch (const OutputError& error) {
+    throw OutputError(fmt::format("frame {}: {}", frame, error.what()));
+  }
+}
+
+/// Writes run.json: what the run is, and its state so far. Its seconds include those before the run was resumed.
+void Run::save_description(const char* state) const {
+  nlohmann::json summary;
+  const auto names = ledger_columns();
+  for (std::size_t i = 0; i < last_.size(); ++i) summary[names[i]] = last_[i];
+  summary["state"] = state;
+  summary["wall_s"] = wall_before_ + wall_here();
+  summary["particle_steps"] = simulation_->counters().particle_steps;
+  summary["peak_memory_bytes"] = peak_memory_bytes();
+  summary["load_average"] = load_average();
+  nlohmann::json made = provenance();
+  made["threads"] = threads_that_run();
+  made["seed"] = scene_.run.seed;
+  const nlohmann::json all{{"scene", resolved(scene_)}, {"provenance", made}, {"summary", summary}};
+  write_text_atomically(results_.description(), all.dump(2) + "\n");
+}
+
+Standing Run::standing() const {
+  return {frame_, times_.last(), simulation_->time(), times_.end_s(), simulation_->dt(), static_cast<std::uint64_t>(steps_here())};
+}
+
+/// Steps towards the next frame. Returns whether it was reached.
+bool Run::advance() {
+  return simulation_->advance(times_(frame_ + 1), times_(frame_ + 2), [&] {
+    progress_.update(standing());
+    writer_->check();
+    return !StopSignals::asked();
+  });
+}
+
+/// A run is not done if somebody has removed what it wrote.
+void Run::expect_results() const {
+  try {
+    results_.expect_there(times_, frame_);
+  } catch (const InputError& error) {
+    throw RunError(fmt::format("{}; it was changed while the run went on", error.what()));
+  }
+}
+
+std::string Run::finish(const char* state) const {
+  save_description(state);
+  return summary_text(scene_, results_, first_, last_, simulation_->inertia_scale(), wall_here(), steps_here());
+}
+
+void Run::fail() noexcept {
+  try {
+    spare_.give_up();
+    if (writer_) writer_->finish();
+  } catch (...) {  // what made it fail is told already
+  }
+  try {
+    save_description("failed");
+  } catch (...) {
+  }
+}
+
+RunSummary Run::go_on() {
+  writer_.emplace();
+  while (frame_ < times_.last()) {
+    const bool reached = advance();
+    if (reached) {
+      ++frame_;
+      last_ = ledger_row(*simulation_);
+      // packed here, by all threads: a thread of its own would take a core from the steps, whose threads wait for each other
+      writer_->put([this, frame = frame_, data = simulation_->packed_frame(), row = last_] { save_frame(frame, data, row); });
+      progress_.update(standing());
+    }
+    const bool at_end = frame_ == times_.last(), stop = StopSignals::asked() && !at_end;
+    if (stop || at_end || (reached && frame_ % scene_.run.checkpoint_every_frames == 0)) {
+      writer_->finish();  // a checkpoint knows of no frame that is not there
+      save_checkpoint();
+      save_description("running");  // a killed run must not lose the time that it took
+    }
+    if (stop)
+      return {finish("interrupted") +
+                  fmt::format("\n  interrupted at {:.6g} s; checkpoint written, continue with --resume", simulation_->time()),
+              true};
+  }
+  expect_results();
+  return {finish("done"), false};
+}
+
+/// Whether the run is to go on from a checkpoint. Where there is none it begins, as it must where a job is started again that ended early.
+bool is_to_resume(const RunOptions& options) {
+  const ResultsFolder results(options.out);
+  if (!options.resume || results.has_checkpoint()) return options.resume;
+  if (results.is_done())
+    throw InputError(
+        fmt::format("{}: found a run that is done, and no checkpoint, allowed: to run it anew, without --resume", results.path().string()));
+  return false;
 }
 
 }  // namespace
@@ -185,87 +350,17 @@ void clear_old(const ResultFiles& results) {
 RunSummary run_scene(const Scene& scene, const RunOptions& options) {
   const StopSignals signals;
   if (options.threads > 0) omp_set_num_threads(options.threads);
-  const ResultFiles results{options.out};
-  const int frames = frame_count(scene, options);
-
-  std::unique_ptr<Simulation> simulation;
-  int frame = 0;
-  double wall_before = 0;
-  if (options.resume) {
-    const CheckpointReader checkpoint(results.checkpoint());
-    checkpoint.expect(scene_fingerprint(scene), scene.run.precision);
-    simulation = Simulation::resume(scene, checkpoint);
-    frame = static_cast<int>(checkpoint.value<std::int64_t>("frame"));
-    wall_before = wall_so_far(results);
-  } else {
-    simulation = Simulation::begin(scene);  // before anything is written, so that a bad scene leaves old results untouched
-    make_folder(results.folder);
-    clear_old(results);
+  Run run(scene, options);
+  is_to_resume(options) ? run.resume() : run.begin();
+  try {
+    return run.go_on();
+  } catch (const OutputError& error) {
+    run.fail();
+    throw RunError(error.what());
+  } catch (...) {
+    run.fail();
+    throw;
   }
-  make_folder(results.frames());
-
-  const double began = steady_seconds();
-  const auto wall = [&] { return wall_before + steady_seconds() - began; };
-  const std::int64_t old_steps = simulation->counters().particle_steps;
-  Progress progress(progress_on_stderr(options.quiet));
-  std::vector<double> first = ledger_row(*simulation), last = first;
-  LedgerFile ledger = options.resume ? LedgerFile::resume(results.ledger(), ledger_columns(), frame_time(scene, frame))
-                                     : LedgerFile::create(results.ledger(), ledger_columns());
-  if (options.resume)
-    first = last = read_ledger(results.ledger()).rows.at(0);
-  else
-    save_frame(scene, results, 0, simulation->packed_frame(), ledger, first);
-  save_description(scene, results, "running", last, wall(), simulation->counters().particle_steps);
-  BackgroundWriter writer;  // behind all that its jobs use
-
-  const auto stand = [&](int done) {
-    return Standing{done,
-                    frames,
-                    simulation->time(),
-                    frame_time(scene, frames),
-                    simulation->dt(),
-                    static_cast<std::uint64_t>(simulation->counters().particle_steps - old_steps)};
-  };
-  const auto finish = [&](const char* state) {
-    save_description(scene, results, state, last, wall(), simulation->counters().particle_steps);
-    return summary_text(scene, results, first, last, simulation->inertia_scale(), steady_seconds() - began,
-                        simulation->counters().particle_steps - old_steps);
-  };
-  const auto advance = [&] {
-    try {
-      return simulation->advance(frame_time(scene, frame + 1), frame_time(scene, frame + 2), [&] {
-        progress.update(stand(frame));
-        writer.check();
-        return !StopSignals::asked();
-      });
-    } catch (const RunError&) {
-      writer.finish();
-      save_description(scene, results, "failed", last, wall(), simulation->counters().particle_steps);
-      throw;
-    }
-  };
-  while (frame < frames) {
-    const bool reached = advance();
-    if (reached) {
-      ++frame;
-      last = ledger_row(*simulation);
-      // packed here, by all threads: a thread of its own would take a core from the steps, whose threads wait for each other
-      writer.put([&, frame, data = simulation->packed_frame(), row = last] { save_frame(scene, results, frame, data, ledger, row); });
-      progress.update(stand(frame));
-    }
-    const bool stop = StopSignals::asked() && frame < frames;
-    if (stop || frame == frames || (reached && frame % scene.run.checkpoint_every_frames == 0)) {
-      writer.finish();  // a checkpoint knows of no frame that is not there
-      save_checkpoint(scene, results, *simulation, frame);
-      save_description(scene, results, "running", last, wall(),
-                       simulation->counters().particle_steps);  // a killed run must not lose the time that it took
-    }
-    if (stop)
-      return {finish("interrupted") +
-                  fmt::format("\n  interrupted at {:.6g} s; checkpoint written, continue with --resume", simulation->time()),
-              true};
-  }
-  return {finish("done"), false};
 }
 
 namespace {

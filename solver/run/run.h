@@ -12,12 +12,20 @@ namespace bake {
 
 struct Scene;
 
+/// Which results may be replaced if they are done or can be resumed; what no run has written never is.
+enum class Replace {
+  same_scene,  ///< those of the same values, but for the end of the run
+  same_file,   ///< those of a scene file of the same name
+  any_run,
+};
+
 struct RunOptions {
   std::filesystem::path out;  ///< folder of the results; created if missing
   int threads = 0;            ///< 0: all cores
-  bool resume = false;        ///< continue from the folder's checkpoint
+  bool resume = false;        ///< continue from the folder's checkpoint; without one begin, and say so
   bool quiet = false;
-  std::optional<int> frames;  ///< ends the run after this many frames instead of at the scene's end
+  std::optional<int> frames;              ///< ends the run after this many frames instead of at the scene's end
+  Replace replace = Replace::same_scene;  ///< which old results it may replace, unless it resumes them
 };
 
 struct RunSummary {
@@ -25,7 +33,8 @@ struct RunSummary {
   bool interrupted = false;  ///< by SIGINT or SIGTERM; a checkpoint was written
 };
 
-/// Simulates the scene. Throws InputError (nothing was written), OutputError, RunError (the last checkpoint is kept).
+/// Simulates the scene. Throws InputError (nothing was written), OutputError if the first frame cannot be written, RunError for all that
+/// goes wrong later, full disks and lack of memory too (the last checkpoint is kept, run.json says "failed").
 RunSummary run_scene(const Scene& scene, const RunOptions& options);
 
 /// What `bake info` prints: effects, bodies (describe_bodies.h), particles, memory, and steps and time at each quality, estimated from a

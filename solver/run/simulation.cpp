@@ -34,10 +34,10 @@ class SimulationOf final : public Simulation {
       emitters_.push_back(std::make_unique<EmitterState>(scene_, scene_.emitters[i], i));
   }
 
-  void begin() {
+  void begin(std::optional<double> first_target) {
     engine_.add(fill_bodies(scene_));
     pour_due();
-    engine_.start(first_target());
+    engine_.start(std::min(first_target.value_or(1 / scene_.run.frame_rate_per_s), next_event()));
   }
 
   void resume(const CheckpointReader& in) {
@@ -168,7 +168,6 @@ class SimulationOf final : public Simulation {
   }
 
  private:
-  double first_target() const { return std::min(1 / scene_.run.frame_rate_per_s, next_event()); }
   /// Whatever happens next besides frames: pouring, colliders that come and go.
   double next_event() const { return event_after(engine_.time()); }
   double event_after(double time) const {
@@ -242,24 +241,28 @@ class SimulationOf final : public Simulation {
 };
 
 template <class Real>
-std::unique_ptr<Simulation> make(const Scene& scene, const CheckpointReader* checkpoint) {
+std::unique_ptr<Simulation> begun(const Scene& scene, std::optional<double> first_target) {
   auto simulation = std::make_unique<SimulationOf<Real>>(scene);
-  if (checkpoint)
-    simulation->resume(*checkpoint);
-  else
-    simulation->begin();
+  simulation->begin(first_target);
+  return simulation;
+}
+
+template <class Real>
+std::unique_ptr<Simulation> resumed(const Scene& scene, const CheckpointReader& checkpoint) {
+  auto simulation = std::make_unique<SimulationOf<Real>>(scene);
+  simulation->resume(checkpoint);
   return simulation;
 }
 
 }  // namespace
 
-std::unique_ptr<Simulation> Simulation::begin(const Scene& scene) {
+std::unique_ptr<Simulation> Simulation::begin(const Scene& scene, std::optional<double> first_target) {
   check_size(scene);
-  return scene.run.precision == Precision::single_precision ? make<float>(scene, nullptr) : make<double>(scene, nullptr);
+  return scene.run.precision == Precision::single_precision ? begun<float>(scene, first_target) : begun<double>(scene, first_target);
 }
 
 std::unique_ptr<Simulation> Simulation::resume(const Scene& scene, const CheckpointReader& checkpoint) {
-  return scene.run.precision == Precision::single_precision ? make<float>(scene, &checkpoint) : make<double>(scene, &checkpoint);
+  return scene.run.precision == Precision::single_precision ? resumed<float>(scene, checkpoint) : resumed<double>(scene, checkpoint);
 }
 
 }  // namespace bake

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,8 @@ struct Snapshot {
 
 class Simulation {
  public:
-  /// Fills the scene and finds the first step. Throws InputError.
-  static std::unique_ptr<Simulation> begin(const Scene& scene);
+  /// Fills the scene and finds the first step, which does not go beyond `first_target` (default: the first frame). Throws InputError.
+  static std::unique_ptr<Simulation> begin(const Scene& scene, std::optional<double> first_target = {});
   /// Goes on where a checkpoint stopped. Throws InputError.
   static std::unique_ptr<Simulation> resume(const Scene& scene, const CheckpointReader& checkpoint);
   virtual ~Simulation() = default;

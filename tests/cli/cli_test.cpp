@@ -194,6 +194,14 @@ TEST(CommandLine, AQuietRunPrintsNothing) {
   EXPECT_EQ(outcome.out + outcome.err, "");
 }
 
+TEST(CommandLine, WhatCannotBePrintedIsNoSuccess) {
+  const Workplace place;
+  for (const char* to : {" >/dev/full", " >&-"})
+    for (const char* command : {"list", "--version", "run --help", "explain run.end_s"})
+      expect_refused(place, std::string(command) + to, "cannot write to the standard output", "", 3);
+  EXPECT_EQ(place.bake("run dough --quiet --out a >&-").exit_code, 0) << "which prints nothing";
+}
+
 TEST(Readme, ItsExampleIsAValidScene) {
   const Workplace place;
   const std::string readme = contents(std::filesystem::path(BAKE_SOURCE_DIR) / "README.md");

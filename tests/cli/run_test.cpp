@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Whole runs: what is left when something goes wrong, and going on afterwards.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "tests/cli/program.h"
 
@@ -20,6 +23,33 @@ bool half_written_files(const fs::path& folder) {
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.path().extension() == ".part") return true;
   return false;
+}
+
+/// The first column of the ledger, which must be the times of frames.hdf.series, too.
+std::vector<double> times_of(const Workplace& place, const std::string& folder) {
+  std::vector<double> times, series;
+  std::istringstream ledger(contents(place.folder() / folder / "ledger.csv"));
+  std::string line;
+  std::getline(ledger, line);
+  while (std::getline(ledger, line)) times.push_back(std::stod(line));
+  for (const auto& entry : nlohmann::json::parse(contents(place.folder() / folder / "frames.hdf.series"))["files"])
+    series.push_back(entry["time"].get<double>());
+  EXPECT_EQ(times, series);
+  return times;
+}
+
+std::string state_of(const Workplace& place, const std::string& folder) {
+  return nlohmann::json::parse(contents(place.folder() / folder / "run.json"))["summary"]["state"];
+}
+
+void expect_same_results(const Workplace& place, const std::string& a, const std::string& b, int frames) {
+  for (const char* file : {"checkpoint.h5", "ledger.csv", "frames.hdf.series"})
+    EXPECT_TRUE(contents(place.folder() / a / file) == contents(place.folder() / b / file)) << file;
+  for (int f = 0; f <= frames; ++f) {
+    const std::string file = fmt::format("frames/{:04}.hdf", f);
+    ASSERT_TRUE(fs::exists(place.folder() / a / file)) << file;
+    EXPECT_TRUE(contents(place.folder() / a / file) == contents(place.folder() / b / file)) << file;
+  }
 }
 
 TEST(Run, ReadsNumbersInBaseTen) {
@@ -65,15 +95,173 @@ TEST(Run, ThatCannotGoOnSaysWhyAndLeavesACheckpointOfItsLastFrame) {
   EXPECT_EQ(expect_refused(place, falls_too_fast + " --resume", "time.smallest_step_s", "", 3), first);
 }
 
-TEST(Run, ResumingNeedsACheckpoint) {
-  const Workplace place;
-  expect_refused(place, "run dough --resume --out nothing", "checkpoint");
+TEST(Run, EndsAtItsEndWithALastFrameThere) {
+  const Workplace place;  // 200 frames a second
+  ASSERT_EQ(place.bake("run dough --quiet --end 0.0123 --out a").exit_code, 0);
+  EXPECT_EQ(times_of(place, "a"), (std::vector<double>{0, 0.005, 0.01, 0.0123}));
+  EXPECT_TRUE(fs::exists(place.folder() / "a/frames/0003.hdf"));
+  EXPECT_FALSE(fs::exists(place.folder() / "a/frames/0004.hdf"));
+  ASSERT_EQ(place.bake("run dough --quiet --end 0.0003 --out b").exit_code, 0);
+  EXPECT_EQ(times_of(place, "b"), (std::vector<double>{0, 0.0003}));
 }
 
-TEST(Run, ACheckpointOfAnotherSceneIsRefused) {
+TEST(Run, OfMoreFramesThanCanBeCountedIsRefused) {
+  const Workplace place;
+  expect_refused(place, "run dough --end 1e9", "run.end_s: found 1e+09 s, that is 2e+11 frames");
+  expect_refused(place, "validate dough --set run.end_s=1e9", "run.end_s: found 1e+09 s, that is 2e+11 frames");
+}
+
+TEST(Run, ResumedGivesTheSameBitsAlsoIfItEndsBetweenTwoFrames) {
+  const Workplace place;
+  const std::string run = "run dough --quiet --set run.end_s=0.0212 --out ";
+  ASSERT_EQ(place.bake(run + "whole").exit_code, 0);
+  for (const std::string frames : {"3", "4"}) {  // the fourth is the last whole one: the end shortens the step behind it
+    ASSERT_EQ(place.bake(run + "parts --frames " + frames).exit_code, 0);
+    ASSERT_EQ(place.bake(run + "parts --resume").exit_code, 0);
+    expect_same_results(place, "whole", "parts", 5);
+  }
+}
+
+TEST(Run, ResumedWithALaterEndGivesTheBitsOfARunToThatEndOrIsRefused) {
+  const Workplace place;
+  const std::string run = "run dough --quiet --out ";
+  ASSERT_EQ(place.bake(run + "whole --end 0.03").exit_code, 0);
+  ASSERT_EQ(place.bake(run + "parts --end 0.02").exit_code, 0);
+  ASSERT_EQ(place.bake(run + "parts --end 0.03 --resume").exit_code, 0);
+  expect_same_results(place, "whole", "parts", 6);
+  ASSERT_EQ(place.bake(run + "between --end 0.0212").exit_code, 0);
+  expect_refused(place, run + "between --end 0.03 --resume", "frame 6 is due at 0.0262 s");
+  ASSERT_EQ(place.bake(run + "between --end 0.0212 --resume").exit_code, 0) << "it is done already";
+  expect_refused(place, run + "parts --frames 3 --resume", "behind the end at frame 3");
+}
+
+TEST(Run, KeepsASecondOneOutOfItsFolder) {
+  const Workplace place;
+  const std::string meanwhile =
+      " & run=$!; while [ \"$(cat a/ledger.csv 2>/dev/null | wc -l)\" -lt 3 ]; do sleep 0.01; done;"
+      "flock -n a/.bake-run true && touch free; kill -TERM $run; wait $run";
+  ASSERT_EQ(place.bake(std::string(k_long) + " --out a" + meanwhile).exit_code, 3) << "the run was over before the signal: make it longer";
+  EXPECT_FALSE(fs::exists(place.folder() / "free"));
+  const auto before = times_of(place, "a");
+  const std::string held = "exec 9>>a/.bake-run; flock -n 9; echo 'process 4711' >a/.bake-run;";
+  for (const char* how : {"", " --resume", " --overwrite"})
+    expect_refused(place, std::string(k_long) + " --out a" + how, "a: a run of process 4711 writes here", held);
+  EXPECT_EQ(times_of(place, "a"), before);
+  EXPECT_EQ(place.bake("run dough --quiet --out a --overwrite").exit_code, 0) << "whose process has gone";
+}
+
+TEST(Run, TouchesNothingThatNoRunHasMade) {
+  const Workplace place;
+  place.write("a/frames/mine.txt", "a picture frame");
+  expect_refused(place, "run dough --quiet --out a", "a/frames: is there already, and not from a run of Bake");
+  expect_refused(place, "run dough --quiet --out a --overwrite", "a/frames: is there already");
+  EXPECT_EQ(contents(place.folder() / "a/frames/mine.txt"), "a picture frame");
+  EXPECT_FALSE(fs::exists(place.folder() / "a/.bake-run"));
+  place.write("b/ledger.csv", "1,2\n");
+  expect_refused(place, "run dough --quiet --out b", "b/ledger.csv: is there already");
+  place.write("c/notes.txt", "mine");
+  ASSERT_EQ(place.bake("run dough --quiet --frames 2 --out c").exit_code, 0);
+  place.write("c/frames/mine.txt", "mine, too");
+  ASSERT_EQ(place.bake("run dough --quiet --frames 1 --out c").exit_code, 0);
+  EXPECT_EQ(contents(place.folder() / "c/notes.txt"), "mine");
+  EXPECT_EQ(contents(place.folder() / "c/frames/mine.txt"), "mine, too");
+  EXPECT_FALSE(fs::exists(place.folder() / "c/frames/0002.hdf")) << "of the run before";
+}
+
+TEST(Run, ReplacesResultsOfSomethingElseOnlyIfAskedTo) {
+  const Workplace place;
+  place.write("other.toml", contents(place.folder() / "experiments/fig01_dough/dough.toml"));
+  ASSERT_EQ(place.bake("run dough --quiet --out a").exit_code, 0);
+  const std::string kept = contents(place.folder() / "a/checkpoint.h5");
+  expect_refused(place, "run other.toml --quiet --out a --set grid.dx_m=0.02",
+                 "a: here are the results of dough.toml (grid.dx_m: found 0.02");
+  expect_refused(place, "run dough --quiet --out a --set grid.dx_m=0.02", "other values of the scene (grid.dx_m: found 0.02, there 0.01)");
+  EXPECT_EQ(contents(place.folder() / "a/checkpoint.h5"), kept);
+  EXPECT_EQ(place.bake("run dough --quiet --out a --frames 1").exit_code, 0) << "the same scene";
+  EXPECT_EQ(place.bake("run dough --quiet --out a --set grid.dx_m=0.02 --overwrite").exit_code, 0);
+  EXPECT_EQ(place.bake("run dough --quiet").exit_code, 0);
+  EXPECT_EQ(place.bake("run dough --quiet --set grid.dx_m=0.02").exit_code, 0) << "the folder is named by the scene";
+  expect_refused(place, "run dough --quiet --out ''", "--out: found an empty name");
+}
+
+TEST(Run, ThatIsToResumeBeginsWhereThereIsNoCheckpoint) {
+  const Workplace place;
+  const Outcome outcome = place.bake("run dough --resume --out a");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_NE(outcome.err.find("bake: a: found no checkpoint, so the run begins at its start\n"), std::string::npos) << outcome.err;
+  fs::remove(place.folder() / "a/checkpoint.h5");
+  expect_refused(place, "run dough --resume --out a", "found a run that is done, and no checkpoint");
+  EXPECT_TRUE(fs::exists(place.folder() / "a/frames/0002.hdf"));
+}
+
+TEST(Run, ResumesOnlyFromWholeResults) {
+  const Workplace place;
+  const std::string run = "run dough --quiet --set run.end_s=0.05 --out ";
+  ASSERT_EQ(place.bake(run + "whole --frames 4").exit_code, 0);
+  const std::string ledger = contents(place.folder() / "whole/ledger.csv");
+  const auto refused = [&](const std::string& reason, const auto& damage) {
+    fs::remove_all(place.folder() / "a");
+    fs::copy(place.folder() / "whole", place.folder() / "a", fs::copy_options::recursive);
+    damage();
+    const std::string checkpoint = contents(place.folder() / "a/checkpoint.h5");
+    expect_refused(place, run + "a --resume", reason);
+    EXPECT_EQ(contents(place.folder() / "a/checkpoint.h5"), checkpoint);
+  };
+  const std::size_t heading = ledger.find('\n') + 1, second = ledger.find('\n', heading) + 1, third = ledger.find('\n', second) + 1;
+  const auto with_ledger = [&](const std::string& text) { return [&, text] { place.write("a/ledger.csv", text); }; };
+  refused("a/ledger.csv: found 0 rows", with_ledger(ledger.substr(0, heading)));
+  refused("a/ledger.csv: found 2 rows", with_ledger(ledger.substr(0, third)));
+  refused("a/ledger.csv:3: found the time 0.01 s, allowed: 0.005 s", with_ledger(ledger.substr(0, second) + ledger.substr(third)));
+  refused("a/ledger.csv:3: found the time nan s", with_ledger(ledger.substr(0, second) + "nan" + ledger.substr(ledger.find(',', second))));
+  refused("a/ledger.csv", [&] { fs::remove(place.folder() / "a/ledger.csv"); });
+  refused("a/frames/0002.hdf: is missing", [&] { fs::remove(place.folder() / "a/frames/0002.hdf"); });
+  refused("a/frames/0002.hdf", [&] { fs::resize_file(place.folder() / "a/frames/0002.hdf", 100); });
+  refused("a/frames/0003.hdf: found the time 0.01 s", [&] {
+    fs::copy_file(place.folder() / "a/frames/0002.hdf", place.folder() / "a/frames/0003.hdf", fs::copy_options::overwrite_existing);
+  });
+}
+
+TEST(Run, ThatIsResumedMakesAnewWhatStandsBehindTheCheckpoint) {
+  const Workplace place;
+  const std::string run = "run dough --quiet --set run.end_s=0.02 --out ";
+  ASSERT_EQ(place.bake(run + "whole").exit_code, 0);
+  ASSERT_EQ(place.bake(run + "a --frames 2").exit_code, 0);
+  place.write("a/frames/0003.hdf", "half a frame");
+  place.write("a/frames/0007.hdf", "of a run that was longer");
+  place.write("a/run.json", "{\"summary\": {\"wall_s\": \"long\"}}");
+  fs::remove(place.folder() / "a/frames.hdf.series");
+  ASSERT_EQ(place.bake(run + "a --resume").exit_code, 0);
+  expect_same_results(place, "whole", "a", 4);
+  EXPECT_FALSE(fs::exists(place.folder() / "a/frames/0007.hdf"));
+}
+
+TEST(Run, NoticesThatItsFilesAreRemovedMeanwhile) {
+  const Workplace place;
+  const auto removing = [](const std::string& folder, const std::string& file) {
+    return fmt::format(
+        "{} --out {} & run=$!; while [ \"$(cat {}/ledger.csv 2>/dev/null | wc -l)\" -lt 4 ]; do sleep 0.01; done; "
+        "rm {}/{}; wait $run",
+        k_long, folder, folder, folder, file);
+  };
+  expect_refused(place, removing("a", "ledger.csv"), "a/ledger.csv: cannot append: the file was removed", "", 3);
+  EXPECT_EQ(state_of(place, "a"), "failed");
+  expect_refused(place, removing("b", "frames/0001.hdf"), "b/frames/0001.hdf: is missing", "", 3);
+  EXPECT_EQ(state_of(place, "b"), "failed");
+}
+
+TEST(Run, SaysHowManyThreadsRan) {
+  const Workplace place;
+  ASSERT_EQ(place.bake("run dough --quiet --threads 2 --out a", "OMP_THREAD_LIMIT=1").exit_code, 0);
+  EXPECT_EQ(nlohmann::json::parse(contents(place.folder() / "a/run.json"))["provenance"]["threads"], 1);
+  ASSERT_EQ(place.bake("run dough --quiet --threads 2 --out a").exit_code, 0);
+  EXPECT_EQ(nlohmann::json::parse(contents(place.folder() / "a/run.json"))["provenance"]["threads"], 2);
+}
+
+TEST(Run, ACheckpointOfAnotherSceneIsRefusedAndTheKeyNamed) {
   const Workplace place;
   ASSERT_EQ(place.bake("run dough --quiet --out a").exit_code, 0);
-  expect_refused(place, "run dough --resume --out a --set material.dough.density_kg_per_m3=900", "checkpoint");
+  expect_refused(place, "run dough --resume --out a --set material.dough.density_kg_per_m3=900",
+                 "checkpoint.h5: belongs to another scene (material.dough.density_kg_per_m3: found 900.0, there 1000.0)");
   expect_refused(place, "run dough --resume --out a --precision double", "checkpoint");
 }
 
@@ -104,7 +292,10 @@ TEST(Run, StopsSoonAfterAFrameThatCannotBeWrittenNamesItAndCanBeGoneOnWith) {
   ASSERT_EQ(place.bake(ten_frames + "whole").exit_code, 0);
   ASSERT_EQ(place.bake(ten_frames + "a --frames 2").exit_code, 0);
   fs::create_directory(place.folder() / "a/frames/0004.hdf.part");  // where the file would be written
-  expect_refused(place, ten_frames + "a --resume", "frame 4: a/frames/0004.hdf: cannot create: Is a directory");
+  const std::string checkpoint = contents(place.folder() / "a/checkpoint.h5");
+  expect_refused(place, ten_frames + "a --resume", "frame 4: a/frames/0004.hdf: cannot create: Is a directory", "", 3);
+  EXPECT_EQ(state_of(place, "a"), "failed");
+  EXPECT_TRUE(contents(place.folder() / "a/checkpoint.h5") == checkpoint);
   EXPECT_TRUE(fs::exists(place.folder() / "a/frames/0003.hdf"));
   EXPECT_FALSE(fs::exists(place.folder() / "a/frames/0005.hdf"));
   const nlohmann::json series = nlohmann::json::parse(contents(place.folder() / "a/frames.hdf.series"));

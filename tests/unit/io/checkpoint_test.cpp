@@ -152,6 +152,8 @@ TEST_F(ACheckpoint, MustFitSceneAndPrecision) {
   const CheckpointReader in(path_);
   const auto scene = message_of<InputError>([&] { in.expect("scene 0000", k_single); });
   EXPECT_TRUE(has(scene, "checkpoint.h5: belongs to another scene; resume from")) << scene;
+  const auto key = message_of<InputError>([&] { in.expect("scene 0000", k_single, [] { return "grid.dx_m: found 1, there 2"; }); });
+  EXPECT_TRUE(has(key, "belongs to another scene (grid.dx_m: found 1, there 2); resume from")) << key;
   const auto precision = message_of<InputError>([&] { in.expect("scene 5e1f", Precision::double_precision); });
   EXPECT_TRUE(has(precision, "written in single precision, the run asks for double; resume with precision = \"single\"")) << precision;
 }

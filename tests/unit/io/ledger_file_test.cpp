@@ -51,6 +51,17 @@ TEST_F(ALedger, OfAnOlderVersionIsReadUnderThePresentNamesWithOneLineOfNotice) {
   EXPECT_EQ(present_column("time_s"), "time_s");
 }
 
+TEST_F(ALedger, ThatWasRemovedOrReplacedTakesNoMoreRows) {
+  auto ledger = LedgerFile::create(path_, k_columns);
+  ledger.append(row(0));
+  std::filesystem::rename(path_, scratch_ / "elsewhere.csv");
+  EXPECT_THROW(ledger.append(row(1)), OutputError);
+  put(path_, contents(scratch_ / "elsewhere.csv"));
+  EXPECT_THROW(ledger.append(row(1)), OutputError);
+  std::filesystem::rename(scratch_ / "elsewhere.csv", path_);
+  EXPECT_NO_THROW(ledger.append(row(1)));
+}
+
 TEST_F(ALedger, BeginsAnewOverAnOldFile) {
   write(5);
   write(0);
