@@ -88,10 +88,12 @@ def tested(build):
 
 
 def prepare(root, folder):
-    """A build of single files that are not optimised: a mutant costs the compilation of what includes it."""
+    """A build that is not optimised, with the files of claims by themselves: a mutant costs the compilation of what includes it."""
     copy, build = folder / "source", folder / "build"
     copy_tree(root, copy)
-    options = ["-DBAKE_TESTS=ON", "-DBAKE_FIGURES=OFF", "-DBAKE_UNITY=OFF", "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O0"]
+    with (copy / "CMakeLists.txt").open("a") as lists:
+        lists.write("set_target_properties(bake_claims claims_tests PROPERTIES UNITY_BUILD OFF)\n")
+    options = ["-DBAKE_TESTS=ON", "-DBAKE_FIGURES=OFF", "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O0"]
     for done in (run("cmake", "-S", str(copy), "-B", str(build), "-G", "Ninja", *options), built(build), tested(build)):
         if done.returncode != 0:
             sys.exit(f"mutants: the tree as it is does not build or fails its tests:\n{done.stdout[-3000:]}")
