@@ -261,7 +261,7 @@ TEST(Run, ACheckpointOfAnotherSceneIsRefusedAndTheKeyNamed) {
   const Workplace place;
   ASSERT_EQ(place.bake("run dough --quiet --out a").exit_code, 0);
   expect_refused(place, "run dough --resume --out a --set material.dough.density_kg_per_m3=900",
-                 "checkpoint.h5: belongs to another scene (material.dough.density_kg_per_m3: found 900.0, there 1000.0)");
+                 "checkpoint.h5: belongs to another scene (material.dough.density_kg_per_m3: found 900, there 1000)");
   expect_refused(place, "run dough --resume --out a --precision double", "checkpoint");
 }
 
