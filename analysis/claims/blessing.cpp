@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -44,6 +45,8 @@ std::string bless_claims(const std::string& text, const Blessing& blessing) {
   for (std::istringstream in(text.substr(0, text.find(k_heading))); std::getline(in, lines.emplace_back());) continue;
   for (std::size_t i = blessing.expected.size(); i-- > 0;) {  // from the end, so that places before it stay what they are
     if (!blessing.expected[i]) continue;
+    if (!std::isfinite(*blessing.expected[i]))
+      throw InputError(fmt::format("claims.toml: claim.{}.expected: found {}, allowed: a finite number", i, *blessing.expected[i]));
     const toml::source_region& place = file["claim"][i]["expected"].node()->source();
     lines[place.begin.line - 1].replace(place.begin.column - 1, place.end.column - place.begin.column,
                                         fmt::format("{}", *blessing.expected[i]));

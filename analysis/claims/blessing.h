@@ -17,7 +17,8 @@ struct Blessing {
   std::string why, commit;
 };
 
-/// The text of a file of claims with other numbers for `expected`, and with [blessed] at its end; comments and all else stay.
+/// The text of a file of claims with other numbers for `expected`, and with [blessed] at its end; comments and all else stay. Throws
+/// InputError for a number that is not finite.
 std::string bless_claims(const std::string& text, const Blessing& blessing);
 
 }  // namespace bake::cli

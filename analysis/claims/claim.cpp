@@ -16,21 +16,48 @@ bool contains(const std::vector<std::string>& list, std::string_view word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-void check_metric(const SceneEntry& entry, const Claim& claim, const std::vector<std::string>& computed) {
-  if (claim.of.empty()) {
-    if (!contains(computed, claim.metric))
-      entry.complain_at("metric", fmt::format("unknown number '{}'; {}", claim.metric,
-                                              computed.empty() ? "a metric needs `of`: the run or surface that it is measured of"
-                                                               : suggestion(claim.metric, computed)));
-    return;
+/// Returns the range of what is measured.
+Range check_computed(const SceneEntry& entry, const Claim& claim, const std::vector<KnownNumber>& computed) {
+  if (entry.find("of")) entry.complain_at("of", "found [], allowed: a run or surface, or a list of them");
+  if (!claim.greater_than.empty()) entry.complain_at("greater_than", "needs `of`: a number that is computed has no other run");
+  std::vector<std::string> names;
+  for (const KnownNumber& number : computed) {
+    if (number.name == claim.metric) return number.range;
+    names.push_back(number.name);
   }
+  entry.complain_at("metric", fmt::format("unknown number '{}'; {}", claim.metric,
+                                          names.empty() ? "a metric needs `of`: the run or surface that it is measured of"
+                                                        : suggestion(claim.metric, names)));
+}
+
+/// Returns the range of what is measured.
+Range check_metric(const SceneEntry& entry, const Claim& claim, const std::vector<KnownNumber>& computed) {
+  if (claim.of.empty()) return check_computed(entry, claim, computed);
+  for (std::size_t i = 1; i < claim.of.size(); ++i)
+    if (std::count(claim.of.begin(), claim.of.end(), claim.of[i]) > 1)
+      entry.complain_at("of", fmt::format("found '{}' again, allowed: each once", quotable(claim.of[i])));
+  if (contains(claim.of, claim.greater_than))
+    entry.complain_at("greater_than", fmt::format("found '{}', which is measured itself, allowed: another", quotable(claim.greater_than)));
   const Metric* metric = nullptr;
   try {
     metric = &find_metric(claim.metric);
   } catch (const InputError& error) {
     entry.complain_at("metric", error.what());
   }
-  check_place(entry, *metric);
+  check_place(entry, *metric, claim.place);
+  return metric->range;
+}
+
+/// Refuses a bound that nothing in the range of the measured number can miss.
+void check_bounds(const SceneEntry& entry, const Claim& claim, const Range& range) {
+  if (claim.at_least && *claim.at_least <= range.low)
+    entry.complain_at("at_least",
+                      fmt::format("found {}, allowed: above {}: no {} is below it", *claim.at_least, range.low, quotable(claim.metric)));
+  if (claim.at_most && *claim.at_most >= range.high)
+    entry.complain_at("at_most",
+                      fmt::format("found {}, allowed: below {}: no {} is above it", *claim.at_most, range.high, quotable(claim.metric)));
+  if (claim.expected && *claim.expected - *claim.tolerance <= range.low && *claim.expected + *claim.tolerance >= range.high)
+    entry.complain_at("tolerance", fmt::format("found {}, allowed: less: every {} is within it", *claim.tolerance, quotable(claim.metric)));
 }
 
 void check_condition(const SceneEntry& entry, const Claim& claim) {
@@ -55,13 +82,12 @@ std::string words_of_bounds(const Claim& claim) {
 }
 
 bool is_within_bounds(const Claim& claim, double measured) {
-  if (!std::isfinite(measured)) return false;
   if (claim.expected) return std::abs(measured - *claim.expected) <= *claim.tolerance;
   return (!claim.at_least || measured >= *claim.at_least) && (!claim.at_most || measured <= *claim.at_most);
 }
 
-ClaimVerdict verdict(const Claim& claim, const MetricWords& words, const std::string& of, double measured) {
-  return {claim.metric, words.meaning, of, words.unit, "", claim.why, claim.kind, measured, false};
+ClaimVerdict verdict(const Claim& claim, const MetricWords& words, const std::string& of, const Measurement& m) {
+  return {claim.metric, words.meaning, of, words.unit, "", claim.why, claim.kind, m.value, false, m.problem};
 }
 
 /// Judges one measured number against a number or another run.
@@ -69,13 +95,14 @@ ClaimVerdict judge_one(const Claim& claim, const MetricWords& words, const std::
   ClaimVerdict v = verdict(claim, words, of, measure(claim, of));
   if (claim.greater_than.empty()) {
     v.condition = words_of_bounds(claim);
-    v.holds = is_within_bounds(claim, v.measured);
+    v.holds = v.problem.empty() && is_within_bounds(claim, v.measured);
     return v;
   }
-  const double other = measure(claim, claim.greater_than);
+  const Measurement other = measure(claim, claim.greater_than);
   v.condition = fmt::format("> {}{} ({:.4g})", claim.factor == 1 ? "" : fmt::format("{:g} x ", claim.factor), claim.greater_than,
-                            claim.factor * other);
-  v.holds = v.measured > claim.factor * other;
+                            claim.factor * other.value);
+  if (v.problem.empty()) v.problem = other.problem;
+  v.holds = v.problem.empty() && v.measured > claim.factor * other.value;
   return v;
 }
 
@@ -86,10 +113,10 @@ std::vector<ClaimVerdict> judge_order(const Claim& claim, const MetricWords& wor
     ClaimVerdict v = verdict(claim, words, of, measure(claim, of));
     const char* sign = *claim.order == Trend::rising ? ">" : "<";
     v.condition = verdicts.empty() ? "first of the list" : fmt::format("{} {}", sign, verdicts.back().of);
-    v.holds = std::isfinite(v.measured);
-    if (!verdicts.empty()) {
+    v.holds = v.problem.empty();
+    if (!verdicts.empty() && v.holds) {
       const double before = verdicts.back().measured;
-      v.holds = *claim.order == Trend::rising ? v.measured > before : v.measured < before;
+      v.holds = std::isfinite(before) && (*claim.order == Trend::rising ? v.measured > before : v.measured < before);
     }
     verdicts.push_back(v);
   }
@@ -98,23 +125,28 @@ std::vector<ClaimVerdict> judge_order(const Claim& claim, const MetricWords& wor
 
 }  // namespace
 
-void check_place(const SceneEntry& entry, const Metric& metric) {
+void check_place(const SceneEntry& entry, const Metric& metric, const MetricPlace& place) {
   for (const std::string& key : keys_of<MetricPlace>()) {
     const bool needed = contains(metric.needs, key), known = needed || contains(metric.knows, key);
     if (needed && !entry.find(key)) entry.refuse_missing(key, fmt::format("what {} needs: {}", metric.name, fmt::join(metric.needs, ", ")));
     if (!known && entry.find(key)) entry.complain_at(key, fmt::format("'{}' knows no such key", metric.name));
   }
+  for (std::size_t axis = 0; place.low_m && place.high_m && axis < 3; ++axis)
+    if (!((*place.low_m)[axis] < (*place.high_m)[axis]))
+      entry.complain_at(
+          "high_m", fmt::format("found {} along {}, allowed: above low_m, {}", (*place.high_m)[axis], "xyz"[axis], (*place.low_m)[axis]));
 }
 
-Claim read_claim(const SceneEntry& entry, const std::vector<std::string>& computed) {
+Claim read_claim(const SceneEntry& entry, const std::vector<KnownNumber>& computed) {
   entry.expect_table();
   std::vector<std::string> known = keys_of<Claim, MetricPlace>();
   entry.refuse_unknown(known);
   Claim claim;
   read_members(entry, claim, Demand::required_keys);
   read_members(entry, claim.place, Demand::nothing);
-  check_metric(entry, claim, computed);
+  const Range range = check_metric(entry, claim, computed);
   check_condition(entry, claim);
+  check_bounds(entry, claim, range);
   return claim;
 }
 
@@ -137,7 +169,7 @@ std::string table(const std::vector<ClaimVerdict>& verdicts) {
                                  "kind", "verdict");
   for (const ClaimVerdict& v : verdicts)
     text += fmt::format("  {:<{}} {:>12.6g} {:<6} {:<{}} {:<10}  {}\n", name_of(v), what, v.measured, v.unit, v.condition, condition,
-                        word_of(v.kind), v.holds ? "holds" : "MISSED: " + v.why);
+                        word_of(v.kind), v.holds ? "holds" : "MISSED: " + (v.problem.empty() ? "" : v.problem + "; ") + v.why);
   return text;
 }
 

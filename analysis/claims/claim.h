@@ -63,12 +63,19 @@ struct Claim {
   bool is_judged_at(std::string_view asked) const { return !quality || word_of(*quality) == asked; }
 };
 
-/// Checks that a table has the keys of MetricPlace that the metric needs, and none that it does not know. Throws InputError.
-void check_place(const SceneEntry& entry, const Metric& metric);
+/// A number that an item's function computes, and where it can be.
+struct KnownNumber {
+  std::string name;
+  Range range = any_number;
+};
+
+/// Checks that a table has the keys of MetricPlace that the metric needs, none that it does not know, and no empty box.
+/// Throws InputError.
+void check_place(const SceneEntry& entry, const Metric& metric, const MetricPlace& place);
 
 /// Reads a table [[claim]] and checks it: a known metric with the keys that it needs and no others, and one condition.
-/// `computed`: the names of the numbers that the item's function computes. Throws InputError.
-Claim read_claim(const SceneEntry& entry, const std::vector<std::string>& computed);
+/// A condition that cannot be missed is refused. `computed`: the numbers that the item's function computes. Throws InputError.
+Claim read_claim(const SceneEntry& entry, const std::vector<KnownNumber>& computed);
 
 /// One line of the table of claims.
 struct ClaimVerdict {
@@ -76,6 +83,7 @@ struct ClaimVerdict {
   Evidence kind;
   double measured;
   bool holds;
+  std::string problem = {};  ///< why there is no number, of this run or of the one it is compared with; then it does not hold
 };
 
 /// Unit and meaning of what is measured.
@@ -84,7 +92,7 @@ struct MetricWords {
 };
 
 /// Measures a metric of the run or surface with that name; if `of` is empty, returns the number that the item's function computes.
-using Measure = std::function<double(const Claim& claim, const std::string& of)>;
+using Measure = std::function<Measurement(const Claim& claim, const std::string& of)>;
 
 /// The verdicts of a claim, one per run.
 std::vector<ClaimVerdict> judge(const Claim& claim, const MetricWords& words, const Measure& measure);

@@ -35,11 +35,13 @@ struct Fracture {
   double mesh_volume_m3 = 0;  ///< of the reference mesh
   std::vector<Frame> frames;
 
-  /// The frame nearest to a time, the last one if none is given.
+  /// The frame nearest to a time, the last one if none is given. Throws NoNumber if that is more than half the way between two frames off,
+  /// if a number of the frame is not finite, or if it is empty: no piece, or a body or mesh without volume.
   const Frame& at(std::optional<double> time_s) const;
 };
 
-/// Throws InputError if the file is missing or bake-mesh did not write it.
+/// A number that is null becomes NaN, for which JSON has no other word. Throws InputError if the file is missing or bake-mesh did not
+/// write it.
 Fracture read_fracture(const std::filesystem::path& file);
 
 }  // namespace bake

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "analysis/claims/finite.h"
 #include "analysis/claims/metric.h"
 #include "analysis/claims/volume_share.h"
-#include "solver/core/errors.h"
 
 namespace bake {
 namespace {
@@ -20,7 +20,7 @@ Vector3 position(const std::vector<float>& positions, std::size_t row) {
 double distance(const Vector3& a, const Vector3& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 /// The particle that started nearest to `point`.
-std::int64_t particle_at(const FrameReader& start, const Vector3& point) {
+std::int64_t particle_at(const CheckedFrame& start, const Vector3& point) {
   const auto positions = start.positions();
   if (positions.empty()) throw InputError("found no particle at the start, allowed: a point inside a body");
   std::size_t nearest = 0;
@@ -29,7 +29,7 @@ std::int64_t particle_at(const FrameReader& start, const Vector3& point) {
   return start.identities()[nearest];
 }
 
-std::size_t row_of(const Results& run, int frame, const FrameReader& reader, std::int64_t particle) {
+std::size_t row_of(const Results& run, int frame, const CheckedFrame& reader, std::int64_t particle) {
   const std::int64_t row = reader.rows_by_identity(particle, 1)[0];
   if (row < 0)
     throw InputError(fmt::format("{}: found no particle {}, allowed: frames of one run, and particles that stay in the domain",
@@ -38,18 +38,18 @@ std::size_t row_of(const Results& run, int frame, const FrameReader& reader, std
 }
 
 Vector3 place_of(const Results& run, int frame, std::int64_t particle) {
-  const FrameReader reader = run.frame(frame);
+  const CheckedFrame reader = run.frame(frame);
   return position(reader.positions(), row_of(run, frame, reader, particle));
 }
 
 double temperature_of(const Results& run, int frame, std::int64_t particle) {
-  const FrameReader reader = run.frame(frame);
+  const CheckedFrame reader = run.frame(frame);
   return reader.column("temperature")[row_of(run, frame, reader, particle)];
 }
 
 /// The distance between two particles, divided by that at the start.
 double distance_gain(const Results& run, const MetricPlace& at) {
-  const FrameReader start = run.frame(0);
+  const CheckedFrame start = run.frame(0);
   const auto a = particle_at(start, *at.from_m), b = particle_at(start, *at.to_m);
   const auto apart = [&](int frame) {
     const Vector3 place = place_of(run, frame, a);
@@ -64,9 +64,11 @@ double temperature_at(const Results& run, const MetricPlace& at) {
 }
 
 double temperature_lead(const Results& run, const MetricPlace& at) {
-  const FrameReader start = run.frame(0);
+  const CheckedFrame start = run.frame(0);
   const int frame = run.frame_at(at.time_s);
-  return temperature_of(run, frame, particle_at(start, *at.from_m)) - temperature_of(run, frame, particle_at(start, *at.to_m));
+  const auto a = particle_at(start, *at.from_m), b = particle_at(start, *at.to_m);
+  if (a == b) throw NoNumber(fmt::format("{}: found one particle nearest to from_m and to_m, allowed: two", run.folder().string()));
+  return temperature_of(run, frame, a) - temperature_of(run, frame, b);
 }
 
 /// Time of the first frame at which a particle has a temperature; infinite if it never has.
@@ -79,7 +81,7 @@ double time_to_reach(const Results& run, const MetricPlace& at) {
 }
 
 /// The share of its water that each particle has lost since the start.
-std::vector<double> dryness(const FrameReader& start, const FrameReader& now) {
+std::vector<double> dryness(const CheckedFrame& start, const CheckedFrame& now) {
   const auto before = start.column("water_mass"), after = now.column("water_mass");
   const auto ids = now.identities();
   const auto last = std::max_element(ids.begin(), ids.end());
@@ -101,13 +103,13 @@ std::vector<double> dryness(const FrameReader& start, const FrameReader& now) {
 /// crust has formed.
 double crust_thickness(const Results& run, const MetricPlace& at) {
   const int number = run.frame_at(at.time_s);
-  const FrameReader now = run.frame(number);
+  const CheckedFrame now = run.frame(number);
   const auto volumes = now.column("volume");
   const auto dry = dryness(run.frame(0), now);
   double crust = 0;
   for (std::size_t row = 0; row < volumes.size(); ++row)
     crust += static_cast<double>(volumes[row]) * std::clamp(dry[row] / *at.dried_share - 0.5, 0.0, 1.0);
-  const double area = run.column("surface_m2")[static_cast<std::size_t>(number)];
+  const double area = run.at("surface_m2", static_cast<std::size_t>(number));
   return area > 0 ? crust / area : std::nan("");
 }
 
@@ -127,13 +129,13 @@ double distance_from(const std::array<double, 2>& axis, const Vector3& place) { 
 
 double outflow(const Results& run, const MetricPlace& at) {
   const auto axis = axis_of(run);
-  const FrameReader frame = run.frame(run.frame_at(at.time_s));
+  const CheckedFrame frame = run.frame(run.frame_at(at.time_s));
   const auto positions = frame.positions();
   return volume_share(frame, [&](std::size_t row) { return distance_from(axis, position(positions, row)) > *at.radius_m; });
 }
 
 /// The distance from an upright axis that a share of the volume does not exceed. A whole body's rim would be one particle.
-double radius_of_share(const FrameReader& frame, const std::array<double, 2>& axis, double share) {
+double radius_of_share(const CheckedFrame& frame, const std::array<double, 2>& axis, double share) {
   const auto positions = frame.positions();
   const auto volumes = frame.column("volume");
   std::vector<std::pair<double, double>> radius_and_volume;
@@ -145,7 +147,7 @@ double radius_of_share(const FrameReader& frame, const std::array<double, 2>& ax
   std::sort(radius_and_volume.begin(), radius_and_volume.end());
   double within = 0;
   for (const auto& [radius, volume] : radius_and_volume)
-    if ((within += volume) >= share * all) return radius;
+    if (all > 0 && (within += volume) >= share * all) return radius;
   return std::nan("");
 }
 
@@ -156,7 +158,7 @@ double diameter(const Results& run, const MetricPlace& at) {
 }
 
 double height_over_diameter(const Results& run, const MetricPlace& at) {
-  return run.column("height_m")[static_cast<std::size_t>(run.frame_at(at.time_s))] / diameter(run, at);
+  return run.at("height_m", static_cast<std::size_t>(run.frame_at(at.time_s))) / diameter(run, at);
 }
 
 /// The top within a radius of the axis: the highest particle of each ring of equal area.
@@ -204,6 +206,7 @@ std::vector<Metric> frame_metrics() {
   return {
       {"distance_gain",
        "1",
+       non_negative,
        "distance of the particles that started nearest to from_m and to_m, over that at the start: a slit's width",
        distance_gain,
        nullptr,
@@ -211,6 +214,7 @@ std::vector<Metric> frame_metrics() {
        {"time_s"}},
       {"temperature_at",
        "C",
+       above_absolute_zero,
        "temperature of the particle that started nearest to point_m",
        temperature_at,
        nullptr,
@@ -218,6 +222,7 @@ std::vector<Metric> frame_metrics() {
        {"time_s"}},
       {"temperature_lead",
        "K",
+       any_number,
        "temperature of the particle that started nearest to from_m, less that of the one nearest to to_m: surface and core",
        temperature_lead,
        nullptr,
@@ -225,12 +230,14 @@ std::vector<Metric> frame_metrics() {
        {"time_s"}},
       {"time_to_reach",
        "s",
+       non_negative,
        "time at which the particle that started nearest to point_m reaches temperature_C",
        time_to_reach,
        nullptr,
        {"point_m", "temperature_C"}},
       {"crust_thickness",
        "m",
+       non_negative,
        "mean thickness of the layer that has lost dried_share of its water: its volume over the area that touches air",
        crust_thickness,
        nullptr,
@@ -238,6 +245,7 @@ std::vector<Metric> frame_metrics() {
        {"time_s"}},
       {"outflow",
        "1",
+       fraction,
        "share of the volume that is farther than radius_m from the upright axis through the start's middle",
        outflow,
        nullptr,
@@ -245,6 +253,7 @@ std::vector<Metric> frame_metrics() {
        {"time_s"}},
       {"diameter",
        "m",
+       non_negative,
        "twice the distance from the upright axis (through point_m, or the start's middle) within which 99 % of the volume is",
        diameter,
        nullptr,
@@ -252,6 +261,7 @@ std::vector<Metric> frame_metrics() {
        {"point_m", "time_s"}},
       {"height_over_diameter",
        "1",
+       non_negative,
        "height over that diameter: what is flat has little",
        height_over_diameter,
        nullptr,
@@ -259,6 +269,7 @@ std::vector<Metric> frame_metrics() {
        {"point_m", "time_s"}},
       {"top_curvature",
        "1/m",
+       any_number,
        "curvature of the top within radius_m of that axis: above 0 for a dome, below for a dent",
        top_curvature,
        nullptr,
@@ -266,6 +277,7 @@ std::vector<Metric> frame_metrics() {
        {"time_s"}},
       {"dome_rise",
        "1",
+       any_number,
        "height of the top at that axis above the top just within radius_m of it, over twice radius_m",
        dome_rise,
        nullptr,

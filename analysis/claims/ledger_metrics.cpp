@@ -2,18 +2,19 @@
 // Metrics of the ledger.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
+#include "analysis/claims/finite.h"
 #include "analysis/claims/metric.h"
 
 namespace bake {
 namespace {
 
-double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
-double smallest(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }
+/// The largest without regard to sign: a negative one would turn a drift into a small number.
+double largest_size(const std::vector<double>& values) { return larger(std::abs(largest_of(values)), std::abs(smallest_of(values))); }
 
 double gain(const Results& run, std::string_view column) {
+  run.expect_change();
   const double before = run.first(column);
   return before > 0 ? run.last(column) / before : std::nan("");
 }
@@ -32,41 +33,43 @@ double momentum_drift(const Results& run, char axis) {
 
 std::vector<Metric> ledger_metrics() {
   return {
-      {"volume_gain", "1", "volume at the end over volume at the start",
+      {"volume_gain", "1", non_negative, "volume at the end over volume at the start",
        [](const Results& run, const MetricPlace&) { return gain(run, "volume_m3"); }},
-      {"height_gain", "1", "height at the end over height at the start",
+      {"height_gain", "1", non_negative, "height at the end over height at the start",
        [](const Results& run, const MetricPlace&) { return gain(run, "height_m"); }},
-      {"extent_x_gain", "1", "extent along x at the end over that at the start",
+      {"extent_x_gain", "1", non_negative, "extent along x at the end over that at the start",
        [](const Results& run, const MetricPlace&) { return gain(run, "extent_x_m"); }},
-      {"extent_y_gain", "1", "extent along y at the end over that at the start",
+      {"extent_y_gain", "1", non_negative, "extent along y at the end over that at the start",
        [](const Results& run, const MetricPlace&) { return gain(run, "extent_y_m"); }},
-      {"height", "m", "height at the end", [](const Results& run, const MetricPlace&) { return run.last("height_m"); }},
-      {"largest_height", "m", "largest height on the way",
-       [](const Results& run, const MetricPlace&) { return largest(run.column("height_m")); }},
-      {"surface", "m^2", "surface that touches air at the end",
+      {"height", "m", non_negative, "height at the end", [](const Results& run, const MetricPlace&) { return run.last("height_m"); }},
+      {"largest_height", "m", non_negative, "largest height on the way",
+       [](const Results& run, const MetricPlace&) { return largest_of(run.column("height_m")); }},
+      {"surface", "m^2", non_negative, "surface that touches air at the end",
        [](const Results& run, const MetricPlace&) { return run.last("surface_m2"); }},
-      {"water_lost_share", "1", "evaporated water over the water at the start",
+      {"water_lost_share", "1", non_negative, "evaporated water over the water at the start",
        [](const Results& run, const MetricPlace&) { return run.last("water_evaporated_kg") / run.first("water_mass_kg"); }},
-      {"gas_made", "mol", "CO2 made until the end", [](const Results& run, const MetricPlace&) { return run.last("gas_mol"); }},
-      {"coldest", "C", "lowest particle temperature at the end",
+      {"gas_made", "mol", non_negative, "CO2 made until the end",
+       [](const Results& run, const MetricPlace&) { return run.last("gas_mol"); }},
+      {"coldest", "C", above_absolute_zero, "lowest particle temperature at the end",
        [](const Results& run, const MetricPlace&) { return run.last("temperature_min_C"); }},
-      {"mean_temperature", "C", "mean temperature by volume at the end",
+      {"mean_temperature", "C", above_absolute_zero, "mean temperature by volume at the end",
        [](const Results& run, const MetricPlace&) { return run.last("temperature_mean_C"); }},
-      {"hottest_ever", "C", "highest particle temperature of any frame",
-       [](const Results& run, const MetricPlace&) { return largest(run.column("temperature_max_C")); }},
-      {"coldest_ever", "C", "lowest particle temperature of any frame",
-       [](const Results& run, const MetricPlace&) { return smallest(run.column("temperature_min_C")); }},
-      {"dissipated", "J", "plastic work until the end", [](const Results& run, const MetricPlace&) { return run.last("dissipated_J"); }},
-      {"solid_drift", "1", "largest unexplained change of the solid's mass, relative",
+      {"hottest_ever", "C", above_absolute_zero, "highest particle temperature of any frame",
+       [](const Results& run, const MetricPlace&) { return largest_of(run.column("temperature_max_C")); }},
+      {"coldest_ever", "C", above_absolute_zero, "lowest particle temperature of any frame",
+       [](const Results& run, const MetricPlace&) { return smallest_of(run.column("temperature_min_C")); }},
+      {"dissipated", "J", non_negative, "plastic work until the end",
+       [](const Results& run, const MetricPlace&) { return run.last("dissipated_J"); }},
+      {"solid_drift", "1", non_negative, "largest unexplained change of the solid's mass, relative",
        [](const Results& run, const MetricPlace&) {
          return run.drift({{"solid_mass_kg", 1}, {"retired_solid_mass_kg", 1}, {"emitted_solid_mass_kg", -1}}) / run.first("solid_mass_kg");
        }},
-      {"water_drift", "1", "largest unexplained change of the water's mass, relative",
+      {"water_drift", "1", non_negative, "largest unexplained change of the water's mass, relative",
        [](const Results& run, const MetricPlace&) {
          return run.drift({{"water_mass_kg", 1}, {"water_evaporated_kg", 1}, {"retired_water_mass_kg", 1}, {"emitted_water_mass_kg", -1}}) /
                 run.first("water_mass_kg");
        }},
-      {"heat_drift", "1", "largest unexplained change of the heat content, over the largest content",
+      {"heat_drift", "1", non_negative, "largest unexplained change of the heat content, over the largest content",
        [](const Results& run, const MetricPlace&) {
          return run.drift({{"heat_content_J", 1},
                            {"heat_exchanged_J", -1},
@@ -76,13 +79,15 @@ std::vector<Metric> ledger_metrics() {
                            {"water_remap_heat_J", -1},
                            {"retired_heat_content_J", 1},
                            {"emitted_heat_content_J", -1}}) /
-                largest(run.column("heat_content_J"));
+                largest_size(run.column("heat_content_J"));
        }},
-      {"momentum_drift_x", "m/s", "largest unexplained change of momentum along x, over the mass",
+      {"momentum_drift_x", "m/s", non_negative, "largest unexplained change of momentum along x, over the mass",
        [](const Results& run, const MetricPlace&) { return momentum_drift(run, 'x'); }},
-      {"momentum_drift_y", "m/s", "the same along y", [](const Results& run, const MetricPlace&) { return momentum_drift(run, 'y'); }},
-      {"momentum_drift_z", "m/s", "the same along z", [](const Results& run, const MetricPlace&) { return momentum_drift(run, 'z'); }},
-      {"retired_particles", "1", "particles that left through open faces",
+      {"momentum_drift_y", "m/s", non_negative, "the same along y",
+       [](const Results& run, const MetricPlace&) { return momentum_drift(run, 'y'); }},
+      {"momentum_drift_z", "m/s", non_negative, "the same along z",
+       [](const Results& run, const MetricPlace&) { return momentum_drift(run, 'z'); }},
+      {"retired_particles", "1", non_negative, "particles that left through open faces",
        [](const Results& run, const MetricPlace&) { return run.last("retired_particles"); }},
   };
 }

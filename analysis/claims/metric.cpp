@@ -3,10 +3,37 @@
 
 #include <fmt/format.h>
 
-#include "solver/core/errors.h"
 #include "solver/scene/nearest.h"
 
 namespace bake {
+
+Measurement::Measurement(double number)
+    : value(number), problem(std::isfinite(number) ? "" : fmt::format("found {}, allowed: a finite number", number)) {}
+
+Measurement::Measurement(const NoNumber& why) : value(std::nan("")), problem(why.what()) {}
+
+namespace {
+
+template <class Function, class Of>
+Measurement measured(const Metric& metric, Function of, const Of& what, const std::string& where, const MetricPlace& place) {
+  try {
+    Measurement m = of(what, place);
+    if (!m.is_number()) m.problem = fmt::format("{}: {}: {}", where, metric.name, m.problem);
+    return m;
+  } catch (const NoNumber& why) {
+    return Measurement(why);
+  }
+}
+
+}  // namespace
+
+Measurement measure(const Metric& metric, const Results& run, const MetricPlace& place) {
+  return measured(metric, metric.of_run, run, run.folder().string(), place);
+}
+
+Measurement measure(const Metric& metric, const Fracture& surface, const MetricPlace& place) {
+  return measured(metric, metric.of_surface, surface, surface.file.string(), place);
+}
 
 const std::vector<Metric>& all_metrics() {
   static const std::vector<Metric> all = [] {

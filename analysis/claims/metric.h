@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/claims/finite.h"
 #include "analysis/claims/fracture.h"
 #include "analysis/claims/results.h"
 #include "solver/scene/describe.h"
@@ -44,16 +45,32 @@ struct MetricPlace {
   }
 };
 
-/// A number that can be measured. Exactly one of the two functions exists; it takes a run or a surface.
+/// A number that can be measured. Exactly one of the two functions exists; it takes a run or a surface, and returns what is not finite or
+/// throws NoNumber where there is no number: call it by `measure`.
 struct Metric {
   const char* name;
   const char* unit;
+  Range range;  ///< where it can be: a condition that all of this range fulfils claims nothing
   const char* meaning;
   double (*of_run)(const Results&, const MetricPlace&) = nullptr;
   double (*of_surface)(const Fracture&, const MetricPlace&) = nullptr;
   std::vector<std::string> needs = {};  ///< keys of MetricPlace
   std::vector<std::string> knows = {};  ///< further keys, which have defaults
 };
+
+/// What was measured: a finite number, or why there is none.
+struct Measurement {
+  double value;
+  std::string problem = {};  ///< one line: where the number is missing and what was found; empty if `value` is finite
+
+  Measurement(double number);  // NOLINT(google-explicit-constructor): a number is what was measured
+  explicit Measurement(const NoNumber& why);
+  bool is_number() const { return problem.empty(); }
+};
+
+/// Measures a run or a surface. What is no number is told in the result. Throws InputError if a file, frame, particle or column is missing.
+Measurement measure(const Metric& metric, const Results& run, const MetricPlace& place);
+Measurement measure(const Metric& metric, const Fracture& surface, const MetricPlace& place);
 
 /// All metrics: of the ledger, of frames, of fracture surfaces.
 const std::vector<Metric>& all_metrics();

@@ -6,22 +6,22 @@
 #include <cmath>
 #include <numbers>
 
+#include "analysis/claims/finite.h"
 #include "analysis/claims/metric.h"
-#include "solver/core/errors.h"
 
 namespace bake {
 namespace {
 
 constexpr std::size_t k_parts = 20;
 
-/// Lowest and highest x. Throws InputError if there is none.
-std::pair<double, double> ends_of(const FrameReader& frame, const std::vector<float>& positions) {
-  if (positions.empty()) throw InputError(fmt::format("found no particle at {} s, allowed: a body", frame.time_s()));
+/// Lowest and highest x. Throws NoNumber if there is no length between them.
+std::pair<double, double> ends_of(const CheckedFrame& frame, const std::vector<float>& positions) {
   std::pair ends{k_infinity, -k_infinity};
   for (std::size_t i = 0; i < positions.size(); i += 3) {
     ends.first = std::min(ends.first, static_cast<double>(positions[i]));
     ends.second = std::max(ends.second, static_cast<double>(positions[i]));
   }
+  if (!(ends.second > ends.first)) throw NoNumber(fmt::format("found no length along x at {} s, allowed: a body", frame.time_s()));
   return ends;
 }
 
@@ -47,7 +47,7 @@ struct VolumeAlong {
 /// A part is slid along the body in steps much shorter than itself; the mean cross-section of the thinnest place counts as a disc.
 double neck_radius(const Results& run, const MetricPlace& at) {
   constexpr std::size_t k_places = 400;
-  const FrameReader frame = run.frame(run.frame_at(at.time_s));
+  const CheckedFrame frame = run.frame(run.frame_at(at.time_s));
   const auto positions = frame.positions();
   const auto [low, high] = ends_of(frame, positions);
   const VolumeAlong volume(positions, frame.column("volume"));
@@ -57,7 +57,7 @@ double neck_radius(const Results& run, const MetricPlace& at) {
     const double from = low + static_cast<double>(i) * step;
     thinnest = std::min(thinnest, volume.between(from, from + part));
   }
-  return part > 0 ? std::sqrt(thinnest / part / std::numbers::pi) : std::nan("");
+  return std::sqrt(thinnest / part / std::numbers::pi);
 }
 
 /// The turn about the axis of x that fits a part's particles best: the angle of sum y_0 (y, z) + z_0 (z, -y).
@@ -69,11 +69,12 @@ struct Turn {
     along += y0 * y + z0 * z;
     across += y0 * z - z0 * y;
   }
-  double degrees() const { return std::atan2(across, along) * 180 / std::numbers::pi; }
+  /// NaN for a part without particles off the axis.
+  double degrees() const { return along == 0 && across == 0 ? std::nan("") : std::atan2(across, along) * 180 / std::numbers::pi; }
 };
 
 /// The turn of each part of the body at the start. Throws InputError for a particle that was not there.
-std::vector<Turn> turns_of(const FrameReader& start, const FrameReader& now) {
+std::vector<Turn> turns_of(const CheckedFrame& start, const CheckedFrame& now) {
   const auto before = start.positions(), after = now.positions();
   const auto ids = now.identities();
   const auto [low, high] = ends_of(start, before);
@@ -93,12 +94,12 @@ std::vector<Turn> turns_of(const FrameReader& start, const FrameReader& now) {
 /// The largest turn between two neighbouring parts, over the distance of their middles at the start. A turn between neighbours is taken
 /// to be less than half a revolution.
 double twist_gradient(const Results& run, const MetricPlace& at) {
-  const FrameReader start = run.frame(0);
+  const CheckedFrame start = run.frame(0);
   const auto turns = turns_of(start, run.frame(run.frame_at(at.time_s)));
   const auto [low, high] = ends_of(start, start.positions());
   double largest = 0;
   for (std::size_t i = 0; i + 1 < k_parts; ++i)
-    largest = std::max(largest, std::abs(std::remainder(turns[i + 1].degrees() - turns[i].degrees(), 360.0)));
+    largest = larger(largest, std::abs(std::remainder(turns[i + 1].degrees() - turns[i].degrees(), 360.0)));
   return largest / ((high - low) / k_parts);
 }
 
@@ -108,6 +109,7 @@ std::vector<Metric> neck_metrics() {
   return {
       {"neck_radius",
        "m",
+       non_negative,
        "radius of the thinnest twentieth of the length along x, as a disc of its mean cross-section; 0 if it has parted",
        neck_radius,
        nullptr,
@@ -115,6 +117,7 @@ std::vector<Metric> neck_metrics() {
        {"time_s"}},
       {"twist_gradient",
        "deg/m",
+       non_negative,
        "largest turn about the axis of x between neighbouring twentieths of the length, per length at the start",
        twist_gradient,
        nullptr,

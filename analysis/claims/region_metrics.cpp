@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/claims/finite.h"
 #include "analysis/claims/metric.h"
 #include "analysis/claims/volume_share.h"
-#include "solver/core/errors.h"
 
 namespace bake {
 namespace {
@@ -21,13 +21,13 @@ bool is_in_box(const std::vector<float>& positions, std::size_t row, const Metri
 }
 
 double share_in_box(const Results& run, const MetricPlace& at) {
-  const FrameReader frame = run.frame(run.frame_at(at.time_s));
+  const CheckedFrame frame = run.frame(run.frame_at(at.time_s));
   const auto positions = frame.positions();
   return volume_share(frame, [&](std::size_t row) { return is_in_box(positions, row, at); });
 }
 
 /// For each particle of `now` whether it started in the box; what was poured later did not.
-std::vector<bool> started_in_box(const FrameReader& start, const FrameReader& now, const MetricPlace& at) {
+std::vector<bool> started_in_box(const CheckedFrame& start, const CheckedFrame& now, const MetricPlace& at) {
   const auto ids = now.identities();
   const auto last = std::max_element(ids.begin(), ids.end());
   const auto rows = start.rows_by_identity(0, last == ids.end() ? 0 : static_cast<std::size_t>(*last) + 1);
@@ -42,7 +42,7 @@ std::vector<bool> started_in_box(const FrameReader& start, const FrameReader& no
 }
 
 double heated_share_of(const Results& run, int number, const MetricPlace& at) {
-  const FrameReader frame = run.frame(number);
+  const CheckedFrame frame = run.frame(number);
   const auto peak = frame.column("peak_temperature");
   const auto is_hot = [&](std::size_t row) { return static_cast<double>(peak[row]) >= *at.temperature_C; };
   if (!at.low_m) return volume_share(frame, is_hot);
@@ -67,7 +67,10 @@ double time_of_share(const std::vector<double>& times, const std::vector<double>
 double heating_window(const Results& run, const MetricPlace& at) {
   const auto times = run.column("time_s");
   std::vector<double> shares;
-  for (std::size_t i = 0; i < times.size(); ++i) shares.push_back(heated_share_of(run, static_cast<int>(i), at));
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    shares.push_back(heated_share_of(run, static_cast<int>(i), at));
+    expect_finite(shares.back(), [&] { return fmt::format("{}: heated share at {} s", run.folder().string(), times[i]); });
+  }
   const double first = time_of_share(times, shares, 0.1);
   return (time_of_share(times, shares, 0.9) - first) / first;
 }
@@ -83,6 +86,8 @@ class RelativeYieldStress {
     } catch (const nlohmann::json::exception&) {
       throw InputError(fmt::format("{}: found a material without yield stress, allowed: a run with plasticity", run.string()));
     }
+    if (!(at_start_ > 0))
+      throw NoNumber(fmt::format("{}: found a yield stress of {} Pa at the start, allowed: above 0", run.string(), at_start_));
   }
   double operator()(double theta, double peak) const { return curve(peak >= theta_[3] ? theta_[3] : theta) / at_start_; }
 
@@ -112,7 +117,7 @@ std::pair<std::size_t, nlohmann::json> find_material(const Results& run, const s
 double softened_share(const Results& run, const MetricPlace& at) {
   const auto [number, material] = find_material(run, *at.material);
   const RelativeYieldStress yield_stress(material, run.folder());
-  const FrameReader frame = run.frame(run.frame_at(at.time_s));
+  const CheckedFrame frame = run.frame(run.frame_at(at.time_s));
   const auto materials = frame.column("material"), temperatures = frame.column("temperature"), peaks = frame.column("peak_temperature");
   return volume_share(
       frame, [&, own = static_cast<float>(number)](std::size_t row) { return materials[row] == own; },
@@ -127,6 +132,7 @@ std::vector<Metric> region_metrics() {
   return {
       {"share_in_box",
        "1",
+       fraction,
        "share of the volume that is in the box from low_m to high_m",
        share_in_box,
        nullptr,
@@ -134,6 +140,7 @@ std::vector<Metric> region_metrics() {
        {"time_s"}},
       {"heated_share",
        "1",
+       fraction,
        "share of the volume that has been at temperature_C: gelatinised, for dough; with low_m and high_m of what started in that box",
        heated_share,
        nullptr,
@@ -141,12 +148,14 @@ std::vector<Metric> region_metrics() {
        {"time_s", "low_m", "high_m"}},
       {"heating_window",
        "1",
+       non_negative,
        "time from which a tenth of the volume has been at temperature_C until nine tenths have, over the time until that tenth has",
        heating_window,
        nullptr,
        {"temperature_C"}},
       {"softened_share",
        "1",
+       fraction,
        "share of the material's volume whose yield stress is at most softened_to of that at the start: melted, for chocolate",
        softened_share,
        nullptr,

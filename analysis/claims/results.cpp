@@ -7,7 +7,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "solver/core/errors.h"
+#include "analysis/claims/finite.h"
 
 namespace bake {
 
@@ -24,7 +24,19 @@ nlohmann::json read_description(const std::filesystem::path& file) {
   }
 }
 
+/// Throws NoNumber, for a frame's file and a column of `components` numbers per particle, at the first that is not finite.
+const std::vector<float>& all_finite(const std::vector<float>& values, std::size_t components, const std::filesystem::path& file,
+                                     const std::string& column) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    expect_finite(static_cast<double>(values[i]), [&] { return fmt::format("{}: {} in row {}", file.string(), column, i / components); });
+  return values;
+}
+
 }  // namespace
+
+std::vector<float> CheckedFrame::positions() const { return all_finite(reader_.positions(), 3, path_, "position"); }
+
+std::vector<float> CheckedFrame::column(const std::string& name) const { return all_finite(reader_.column(name), 1, path_, name); }
 
 Results::Results(const std::filesystem::path& folder)
     : folder_(folder), description_(read_description(folder / "run.json")), ledger_(read_ledger(folder / "ledger.csv")) {
@@ -34,25 +46,49 @@ Results::Results(const std::filesystem::path& folder)
   if (ledger_.rows.empty()) throw InputError(fmt::format("{}: found no row", (folder / "ledger.csv").string()));
 }
 
-std::vector<double> Results::column(std::string_view name) const {
+std::size_t Results::column_number(std::string_view name) const {
   const auto at = std::find(ledger_.columns.begin(), ledger_.columns.end(), name);
   if (at == ledger_.columns.end()) throw InputError(fmt::format("{}: found no column {}", (folder_ / "ledger.csv").string(), name));
+  return static_cast<std::size_t>(at - ledger_.columns.begin());
+}
+
+std::string Results::place_of(std::string_view name, std::size_t row) const {
+  return fmt::format("{}:{}: {}", (folder_ / "ledger.csv").string(), row + 2, name);  // below the heading, counted from 1
+}
+
+std::vector<double> Results::column_as_it_is(std::string_view name) const {
+  const std::size_t number = column_number(name);
   std::vector<double> values;
-  for (const auto& row : ledger_.rows) values.push_back(row[static_cast<std::size_t>(at - ledger_.columns.begin())]);
+  for (const auto& row : ledger_.rows) values.push_back(row[number]);
   return values;
+}
+
+std::vector<double> Results::column(std::string_view name) const {
+  std::vector<double> values = column_as_it_is(name);
+  for (std::size_t row = 0; row < values.size(); ++row) expect_finite(values[row], [&] { return place_of(name, row); });
+  return values;
+}
+
+double Results::at(std::string_view name, std::size_t row) const {
+  const double value = ledger_.rows[row][column_number(name)];
+  expect_finite(value, [&] { return place_of(name, row); });
+  return value;
 }
 
 int Results::frame_at(std::optional<double> time_s) const {
   const auto times = column("time_s");
-  const double time = time_s.value_or(times.back());
-  const auto nearest =
-      std::min_element(times.begin(), times.end(), [&](double a, double b) { return std::abs(a - time) < std::abs(b - time); });
-  return static_cast<int>(nearest - times.begin());
+  return static_cast<int>(nearest_time(times, time_s.value_or(times.back()), folder_.string()));
 }
 
-FrameReader Results::frame(int number) const { return FrameReader(folder_ / "frames" / frame_name(number)); }
+CheckedFrame Results::frame(int number) const { return CheckedFrame(folder_ / "frames" / frame_name(number)); }
+
+void Results::expect_change() const {
+  if (ledger_.rows.size() < 2)
+    throw NoNumber(fmt::format("{}: found one row, allowed: a run of some time", (folder_ / "ledger.csv").string()));
+}
 
 double Results::drift(std::initializer_list<std::pair<const char*, double>> columns_and_signs) const {
+  expect_change();
   std::vector<double> sum(ledger_.rows.size());
   for (const auto& [name, sign] : columns_and_signs) {
     const auto values = column(name);

@@ -4,10 +4,14 @@
 #include <array>
 #include <cmath>
 
+#include "analysis/claims/finite.h"
 #include "analysis/claims/metric.h"
 
 namespace bake {
 namespace {
+
+constexpr Range k_at_least_one{1, k_infinity, false, true, "a number of at least 1"},
+    k_half_at_most{0, 0.5, false, false, "a number from 0 to 0.5"};
 
 double as_number(std::size_t count) { return static_cast<double>(count); }
 
@@ -44,7 +48,11 @@ double open_pieces(const Fracture& fracture, const MetricPlace& at) {
 }
 
 double pieces_volume(const Fracture& fracture, const MetricPlace& at) {
-  return fracture.at(at.time_s).volume_m3 / fracture.frames.front().volume_m3;
+  const Fracture::Frame &now = fracture.at(at.time_s), &first = fracture.at(fracture.frames.front().time_s);
+  if (&now == &first)
+    throw NoNumber(
+        fmt::format("{}: found the first of the surface's times, {} s, allowed: a later one", fracture.file.string(), now.time_s));
+  return now.volume_m3 / first.volume_m3;
 }
 
 double cut_volume(const Fracture& fracture, const MetricPlace& at) {
@@ -73,28 +81,58 @@ std::vector<Metric> surface_metrics() {
   using F = const Fracture&;
   using P = const MetricPlace&;
   return {
-      {"cracks", "1", "number of cracks", nullptr, [](F f, P at) { return as_number(f.at(at.time_s).cracks.size()); }, {}, {"time_s"}},
+      {"cracks",
+       "1",
+       non_negative,
+       "number of cracks",
+       nullptr,
+       [](F f, P at) { return as_number(f.at(at.time_s).cracks.size()); },
+       {},
+       {"time_s"}},
       {"crack_area",
        "m^2",
+       non_negative,
        "area of the cracks whose centres are in the box of the reference mesh; of all if there is no box",
        nullptr,
        crack_area,
        {},
        {"low_m", "high_m", "time_s"}},
-      {"crack_length", "m", "length of all cracks", nullptr, crack_length, {}, {"time_s"}},
+      {"crack_length", "m", non_negative, "length of all cracks", nullptr, crack_length, {}, {"time_s"}},
       {"crack_share",
        "1",
+       fraction,
        "share of the cracks' area in the box of the reference mesh",
        nullptr,
        crack_share,
        {"low_m", "high_m"},
        {"time_s"}},
-      {"pieces", "1", "number of pieces", nullptr, [](F f, P at) { return as_number(f.at(at.time_s).pieces.size()); }, {}, {"time_s"}},
-      {"open_pieces", "1", "number of pieces whose surface is not closed", nullptr, open_pieces, {}, {"time_s"}},
-      {"pieces_volume", "1", "volume of all pieces over that at the first of the surface's times", nullptr, pieces_volume, {}, {"time_s"}},
-      {"cut_volume", "1", "volume of all pieces in the reference mesh over that of the mesh", nullptr, cut_volume, {}, {"time_s"}},
-      {"second_piece", "1", "volume of the second largest piece over that of all", nullptr, second_piece, {}, {"time_s"}},
-      {"two_pieces", "1", "volume of the two largest pieces over that of all", nullptr, two_pieces, {}, {"time_s"}},
+      {"pieces",
+       "1",
+       k_at_least_one,
+       "number of pieces",
+       nullptr,
+       [](F f, P at) { return as_number(f.at(at.time_s).pieces.size()); },
+       {},
+       {"time_s"}},
+      {"open_pieces", "1", non_negative, "number of pieces whose surface is not closed", nullptr, open_pieces, {}, {"time_s"}},
+      {"pieces_volume",
+       "1",
+       non_negative,
+       "volume of all pieces over that at the first of the surface's times",
+       nullptr,
+       pieces_volume,
+       {},
+       {"time_s"}},
+      {"cut_volume",
+       "1",
+       non_negative,
+       "volume of all pieces in the reference mesh over that of the mesh",
+       nullptr,
+       cut_volume,
+       {},
+       {"time_s"}},
+      {"second_piece", "1", k_half_at_most, "volume of the second largest piece over that of all", nullptr, second_piece, {}, {"time_s"}},
+      {"two_pieces", "1", fraction, "volume of the two largest pieces over that of all", nullptr, two_pieces, {}, {"time_s"}},
   };
 }
 

@@ -4,14 +4,14 @@
 
 #include <cmath>
 
-#include "solver/io/frames.h"
+#include "analysis/claims/results.h"
 
 namespace bake {
 
 /// The volume of the particles for which `counted(row)`, over that of those for which `asked(row)` (all rows from 0 on). Those that are
 /// counted are among those that are asked. Not a number if nothing is asked.
 template <class Asked, class Counted>
-double volume_share(const FrameReader& frame, Asked asked, Counted counted) {
+double volume_share(const CheckedFrame& frame, Asked asked, Counted counted) {
   const auto volumes = frame.column("volume");
   double all = 0, some = 0;
   for (std::size_t row = 0; row < volumes.size(); ++row) {
@@ -24,7 +24,7 @@ double volume_share(const FrameReader& frame, Asked asked, Counted counted) {
 
 /// The same of the volume of all particles.
 template <class Counted>
-double volume_share(const FrameReader& frame, Counted counted) {
+double volume_share(const CheckedFrame& frame, Counted counted) {
   return volume_share(
       frame, [](std::size_t) { return true; }, counted);
 }

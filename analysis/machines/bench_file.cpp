@@ -23,7 +23,8 @@ constexpr const char* k_allowed = "allowed: a file that `./bake bench` has writt
   throw InputError(fmt::format("{}: found {}, {}", file.string(), found, allowed));
 }
 
-/// Replaces the NaN and Infinity that Google Benchmark writes for the spread of counters that are always zero, and that JSON lacks.
+/// Replaces the NaN and Infinity that Google Benchmark writes for the spread of counters that are always zero, and that JSON lacks:
+/// counters are not compared.
 std::string without_nan(std::string text) {
   for (const char* word : {": NaN", ": -NaN", ": Infinity", ": -Infinity"})
     for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos;) text.replace(at, std::string_view(word).size(), ": null");
@@ -86,9 +87,10 @@ void read_benchmarks(const json& benchmarks, BenchFile& into) {
     if (!run.is_object()) refuse(into.file, "a benchmark that is no object");
     if (run.value("run_type", std::string("iteration")) != "iteration" || run.value("error_occurred", false)) continue;
     const auto time = run.find("real_time");
-    if (!run.contains("name") || time == run.end() || !time->is_number() || !(time->get<double>() > 0))
-      refuse(into.file, "a benchmark without name or time");
+    if (!run.contains("name") || !run.at("name").is_string()) refuse(into.file, "a benchmark without a name");
     const std::string name = short_name(run.value("run_name", run.at("name").get<std::string>()));
+    if (time == run.end() || !time->is_number() || !(time->get<double>() > 0))
+      refuse(into.file, fmt::format("\"{}\" without a time above 0", name));
     auto& repetitions = into.seconds[name];
     if (repetitions.empty()) into.names.push_back(name);
     repetitions.push_back(time->get<double>() * seconds_per(run.value("time_unit", std::string("ns"))));

@@ -28,7 +28,11 @@ fs::path reference_file(const std::string& name) { return fs::path(BAKE_SOURCE_D
 
 std::map<std::string, double> values_of(const Results& run, const std::vector<Quantity>& quantities) {
   std::map<std::string, double> values;
-  for (const Quantity& q : quantities) values[q.name] = find_metric(q.metric).of_run(run, q.at);
+  for (const Quantity& q : quantities) {
+    const Measurement m = measure(find_metric(q.metric), run, q.at);
+    if (!m.is_number()) throw InputError(m.problem);
+    values[q.name] = m.value;
+  }
   return values;
 }
 

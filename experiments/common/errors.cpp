@@ -4,8 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-
+#include "analysis/claims/finite.h"
 #include "experiments/common/order.h"
 
 namespace bake::studies {
@@ -14,9 +13,7 @@ namespace {
 const char* word(Errors::Figure figure) { return figure == Errors::Figure::order ? "order" : "largest error"; }
 }  // namespace
 
-double Errors::value() const {
-  return figure == Figure::order ? fitted_order(refinements, errors) : *std::max_element(errors.begin(), errors.end());
-}
+double Errors::value() const { return figure == Figure::order ? fitted_order(refinements, errors) : largest_of(errors); }
 
 std::string band_in_words(const Errors& e) {
   return e.figure == Errors::Figure::order ? fmt::format("{} to {}", e.low, e.high) : fmt::format("at most {:.3g}", e.high);

@@ -68,7 +68,7 @@ double root_mean_square(const std::vector<double>& values) {
 
 double largest(const std::vector<double>& values) {
   double most = 0;
-  for (const double v : values) most = std::max(most, std::abs(v));
+  for (const double v : values) most = larger(most, std::abs(v));
   return most;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "analysis/claims/finite.h"
 #include "experiments/common/study_scene.h"
 #include "experiments/convergence/cases.h"
 
@@ -36,8 +37,8 @@ std::vector<Errors> free_fall(bool) {
     const Snapshot now = s->snapshot();
     double of_velocity = 0, of_place = 0;
     for (std::size_t i = 0; i < now.id.size(); ++i) {
-      of_velocity = std::max(of_velocity, std::abs(now.velocity[i][2] + g * t) / (g * t));
-      of_place = std::max(of_place, std::abs(now.position[i][2] - first.position[i][2] + g * t * t / 2) / (g * t * t / 2));
+      of_velocity = larger(of_velocity, std::abs(now.velocity[i][2] + g * t) / (g * t));
+      of_place = larger(of_place, std::abs(now.position[i][2] - first.position[i][2] + g * t * t / 2) / (g * t * t / 2));
     }
     velocity.errors.push_back(of_velocity);
     place.errors.push_back(of_place);

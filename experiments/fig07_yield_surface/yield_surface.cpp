@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "analysis/claims/finite.h"
 #include "experiments/fig14_return_map/stress_state.h"
 #include "experiments/fig15_bread/dough.h"
 #include "solver/effects/plasticity.h"
@@ -42,7 +43,7 @@ Surface surface_at(const Scene& scene, double n) {
 double distance_from_ellipse(const Surface& s) {
   double largest = 0;
   for (std::size_t i = 0; i < s.p.size(); ++i)
-    largest = std::max(largest, std::abs(std::sqrt(published_cap(s.n) * s.p[i] * s.p[i] + s.q[i] * s.q[i]) - 1));
+    largest = larger(largest, std::abs(std::sqrt(published_cap(s.n) * s.p[i] * s.p[i] + s.q[i] * s.q[i]) - 1));
   return largest;
 }
 
@@ -50,7 +51,7 @@ double distance_from_ellipse(const Surface& s) {
 double distance_from_von_mises(const Surface& s) {
   double largest = 0;
   for (std::size_t i = 0; i < s.p.size(); ++i)
-    if (std::abs(s.p[i]) < 1) largest = std::max(largest, std::abs(1 - s.q[i]));
+    if (std::abs(s.p[i]) < 1) largest = larger(largest, std::abs(1 - s.q[i]));
   return largest;
 }
 
@@ -107,8 +108,8 @@ Computed fig07_yield_surface() {
     tips.push_back(surface_at(scene, n));
 
   double off_ellipse = 0, largest_ratio = 0;
-  for (const Surface& s : surfaces) off_ellipse = std::max(off_ellipse, distance_from_ellipse(s));
-  for (std::size_t i = 1; i < tips.size(); ++i) largest_ratio = std::max(largest_ratio, tip_of(tips[i]) / tip_of(tips[i - 1]));
+  for (const Surface& s : surfaces) off_ellipse = larger(off_ellipse, distance_from_ellipse(s));
+  for (std::size_t i = 1; i < tips.size(); ++i) largest_ratio = larger(largest_ratio, tip_of(tips[i]) / tip_of(tips[i - 1]));
   const double a = Plasticity::cap(lanes<double>(1e-30))[0];
   Computed computed;
   computed.charts = {chart_of(surfaces, tips)};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/claims/finite.h"
 #include "experiments/fig15_bread/dough.h"
 #include "solver/effects/plasticity.h"
 #include "solver/run/simulation.h"
@@ -70,7 +71,7 @@ struct Turns {
 };
 Turns turns_of(const std::vector<double>& values) {
   Turns turns;
-  const double largest = *std::max_element(values.begin(), values.end());
+  const double largest = largest_of(values);
   for (std::size_t i = 1; i < values.size(); ++i) {
     const double change = (values[i] - values[i - 1]) / largest;
     if (change < 0 && turns.risen == 0) turns.falls_first = true;
@@ -80,7 +81,8 @@ Turns turns_of(const std::vector<double>& values) {
 }
 
 /// Number of times that a way changes from falling to rising or back.
-int changes_of_direction(const std::vector<double>& values) {
+double changes_of_direction(const std::vector<double>& values) {
+  if (std::isnan(largest_of(values))) return std::nan("");
   int changes = 0, last = 0;
   for (std::size_t i = 1; i < values.size(); ++i) {
     const int now = values[i] > values[i - 1] ? 1 : values[i] < values[i - 1] ? -1 : 0;
@@ -90,10 +92,7 @@ int changes_of_direction(const std::vector<double>& values) {
   return changes;
 }
 
-double spread(const std::vector<double>& values) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  return *high / *low - 1;
-}
+double spread(const std::vector<double>& values) { return largest_of(values) / smallest_of(values) - 1; }
 
 charts::Panel panel(const char* title, const char* label, const char* unit, const Plasticity::Material& material) {
   charts::Panel panel{title, {"temperature $θ$", "°C"}, {label, unit}};
@@ -160,17 +159,17 @@ Computed fig08_curves() {
   Way first_heated;  // the same temperatures for the first time
   for (const double theta : not_set.theta) dough.add(first_heated, theta, theta);
   double memory = 0;
-  for (std::size_t i = 0; i < not_set.theta.size(); ++i) memory = std::max(memory, std::abs(not_set.tau_y[i] / first_heated.tau_y[i] - 1));
+  for (std::size_t i = 0; i < not_set.theta.size(); ++i) memory = larger(memory, std::abs(not_set.tau_y[i] / first_heated.tau_y[i] - 1));
 
   Computed computed;
   computed.charts = {chart_of(material, up, down)};
   computed.numbers = {
       {"yield_stress_turns", "1", "times that the yield stress changes between falling and rising, from 0 to 100 C",
-       static_cast<double>(changes_of_direction(up.tau_y))},
+       changes_of_direction(up.tau_y)},
       {"yield_stress_falls_first", "1", "1 if it falls before it rises", turns_of(up.tau_y).falls_first ? 1.0 : 0.0},
       {"viscosity_rise", "1", "how much the viscosity rises on the way from 0 to 100 C, relative to its largest value",
        turns_of(up.eta).risen},
-      {"least_viscosity", "Pa s", "smallest viscosity from 0 to 100 C", *std::min_element(up.eta.begin(), up.eta.end())},
+      {"least_viscosity", "Pa s", "smallest viscosity from 0 to 100 C", smallest_of(up.eta), non_negative},
       {"coldest_on_return", "C", "temperature to which the block is cooled again", down.theta.back()},
       {"yield_stress_change_on_return", "1", "largest relative change of the yield stress while a block cools from 100 C",
        spread(down.tau_y)},

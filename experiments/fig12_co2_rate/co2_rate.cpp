@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/claims/finite.h"
 #include "experiments/fig15_bread/dough.h"
 #include "solver/effects/leavening.h"
 #include "solver/run/simulation.h"
@@ -110,7 +111,7 @@ Computed fig12_co2_rate() {
   std::size_t colour = 0;
   for (const double at : {20.0, 30.0, 40.0}) {
     peaks.series.push_back(curve(fmt::format("$θ_r$ = {} °C", at), with(at, 20), colour++));
-    off_peak = std::max(off_peak, std::abs(peak_of(Rate(with(at, 20))) - at));
+    off_peak = larger(off_peak, std::abs(peak_of(Rate(with(at, 20))) - at));
   }
   for (const double width : {10.0, 20.0, 40.0}) {
     const Scene scene = with(theta_r, width);
@@ -136,9 +137,8 @@ Computed fig12_co2_rate() {
                                 fmt::format("width of the curve at half its height, for a Delta theta of {} K", width),
                                 width_of(Rate(scene))});
     for (std::size_t i = 0; i < produced.theta.size(); ++i)
-      off_integral =
-          std::max(off_integral, std::abs(produced.gas[i] - integral(scene, k_slope * k_end_s * static_cast<double>(i + 1) / 20)) /
-                                     integral(scene, k_hot));
+      off_integral = larger(off_integral, std::abs(produced.gas[i] - integral(scene, k_slope * k_end_s * static_cast<double>(i + 1) / 20)) /
+                                              integral(scene, k_hot));
   }
   peaks.legend = widths.legend = charts::Legend::top_right;
   computed.numbers.push_back({"peak_offset", "K", "largest distance of the fastest reaction from theta_r, for three of these", off_peak});

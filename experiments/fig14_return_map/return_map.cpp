@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "analysis/claims/finite.h"
 #include "experiments/fig14_return_map/stress_state.h"
 #include "experiments/fig15_bread/dough.h"
 
@@ -53,7 +54,7 @@ double distance_from_surface(const FlowStep& step, double n, const std::vector<S
   double largest = 0;
   for (const Stress& trial : trials) {
     const Stress image = step.image(trial);
-    largest = std::max(largest, std::abs(r_of(pressure_of(image), effective_of(image), n) / step.tau_y() - 1));
+    largest = larger(largest, std::abs(r_of(pressure_of(image), effective_of(image), n) / step.tau_y() - 1));
   }
   return largest;
 }
@@ -75,9 +76,9 @@ Ways compare_ways(const FlowStep& viscous, const FlowStep& inviscid, const std::
     const double share = std::sqrt(norm_squared(part) / norm_squared(whole));
     Stress aside;
     for (int i = 0; i < 6; ++i) aside.at[i] = part.at[i] - share * whole.at[i];
-    ways.sine = std::max(ways.sine, std::sqrt(norm_squared(aside) / norm_squared(part)));
-    ways.least_share = std::min(ways.least_share, share);
-    ways.largest_share = std::max(ways.largest_share, share);
+    ways.sine = larger(ways.sine, std::sqrt(norm_squared(aside) / norm_squared(part)));
+    ways.least_share = smaller(ways.least_share, share);
+    ways.largest_share = larger(ways.largest_share, share);
   }
   return ways;
 }
@@ -129,7 +130,7 @@ double distance_from_minimiser(const FlowStep& step, double n, bool quadratic) {
     const double p = trial.p * step.tau_y(), q = trial.q * step.tau_y();
     const Trial lowest = Functional(step, n, quadratic, p, q).lowest();
     const Stress image = step.image(uniaxial(p, q));
-    largest = std::max(largest, std::hypot(pressure_of(image) - lowest.p, effective_of(image) - lowest.q) / step.tau_y());
+    largest = larger(largest, std::hypot(pressure_of(image) - lowest.p, effective_of(image) - lowest.q) / step.tau_y());
   }
   return largest;
 }
@@ -188,9 +189,9 @@ Computed fig14_return_map() {
        ways.least_share},
       {"largest_share_of_way", "1", "largest share", ways.largest_share},
       {"distance_from_minimiser", "1", "largest distance of viscous images from the functional's minimum by brute force, in tau_y",
-       std::max(distance_from_minimiser(viscous, 0, false), distance_from_minimiser(porous_viscous, k_porosity, false))},
+       larger(distance_from_minimiser(viscous, 0, false), distance_from_minimiser(porous_viscous, k_porosity, false))},
       {"distance_from_printed_minimiser", "1", "the same with the functional as printed (norm \"quadratic\")",
-       std::max(distance_from_minimiser(printed, 0, true), distance_from_minimiser(printed_porous, k_porosity, true))},
+       larger(distance_from_minimiser(printed, 0, true), distance_from_minimiser(printed_porous, k_porosity, true))},
   };
   computed.charts = {
       {"return_map",

@@ -15,10 +15,10 @@ class Measured {
  public:
   Measured(const FigurePaths& paths, const Computed& computed) : place_(paths), computed_(computed) {}
 
-  double operator()(const Claim& claim, const std::string& of) {
+  Measurement operator()(const Claim& claim, const std::string& of) {
     if (of.empty()) return find_named(computed_.numbers, claim.metric)->value;
     const Metric& metric = find_metric(claim.metric);
-    return metric.of_run ? metric.of_run(run(of), claim.place) : metric.of_surface(surface(of), claim.place);
+    return metric.of_run ? measure(metric, run(of), claim.place) : measure(metric, surface(of), claim.place);
   }
 
  private:
@@ -43,7 +43,7 @@ MetricWords words_of(const Claim& claim, const Computed& computed) {
 
 nlohmann::json json_of(const ClaimVerdict& v) {
   return {{"metric", v.metric},       {"meaning", v.meaning},    {"of", v.of},   {"measured", v.measured}, {"unit", v.unit},
-          {"condition", v.condition}, {"kind", word_of(v.kind)}, {"why", v.why}, {"holds", v.holds}};
+          {"condition", v.condition}, {"kind", word_of(v.kind)}, {"why", v.why}, {"holds", v.holds},       {"problem", v.problem}};
 }
 
 nlohmann::json json_of(const FigurePaths& paths, const FigureRun& run) {

@@ -32,7 +32,7 @@ const ComputedItem* find_computed(std::string_view experiment) {
 ComputedNames names_of(const Computed& computed) {
   ComputedNames names;
   for (const auto& chart : computed.charts) names.charts.push_back(chart.name);
-  for (const auto& number : computed.numbers) names.numbers.push_back(number.name);
+  for (const auto& number : computed.numbers) names.numbers.push_back({number.name, number.range});
   return names;
 }
 

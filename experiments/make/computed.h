@@ -17,6 +17,7 @@ struct ComputedNumber {
   std::string unit;
   std::string meaning;
   double value;
+  Range range = any_number;  ///< where it can be: a claim that all of this range fulfils is refused
 };
 
 /// A table whose cells are formatted for the terminal and the page.

@@ -72,7 +72,7 @@ void check_metric_over_time(const SceneEntry& entry, const FigureChart& chart) {
       known.emplace_back(metric.name);
   check_known(entry, "metric", chart.metric, "metric of a run that has a time", known);
   if (chart.place.time_s) entry.complain_at("time_s", "the chart is drawn over all times");
-  check_place(entry, find_metric(chart.metric));
+  check_place(entry, find_metric(chart.metric), chart.place);
 }
 
 void check(const SceneEntry& entry, const FigureChart& chart, const Figure& figure, const ComputedNames& computed) {
@@ -85,6 +85,20 @@ void check(const SceneEntry& entry, const FigureChart& chart, const Figure& figu
   for (const std::string& name : chart.of) check_known(entry, "of", name, "run", names_in(figure.runs));
 }
 
+/// Checks that the surface has the time, and that something can have broken by then.
+void check_time(const SceneEntry& entry, const Claim& claim, const FigureSurface& surface) {
+  const std::vector<double>& times = surface.times_s;
+  if (!claim.place.time_s && times.empty()) return;  // at the end
+  const double time = claim.place.time_s.value_or(times.empty() ? 0 : times.back());
+  if (claim.place.time_s && std::find(times.begin(), times.end(), time) == times.end())
+    entry.complain_at("time_s", fmt::format("found {}, allowed: a time of surface '{}': {}", time, surface.name,
+                                            times.empty() ? "none, for the end" : fmt::format("{}", fmt::join(times, ", "))));
+  if (time <= surface.reference_time_s)
+    entry.complain_at(claim.place.time_s ? "time_s" : "of",
+                      fmt::format("found surface '{}' at {} s, allowed: after its reference time, {} s, at which nothing is broken",
+                                  surface.name, time, surface.reference_time_s));
+}
+
 /// Checks that the metric can be measured of the run or surface that the claim names.
 void check(const SceneEntry& entry, const Claim& claim, const Figure& figure) {
   auto names = claim.of;
@@ -93,7 +107,10 @@ void check(const SceneEntry& entry, const Claim& claim, const Figure& figure) {
     const char* key = name == claim.greater_than ? "greater_than" : "of";
     check_known(entry, key, name, "run or surface", runs_and_surfaces(figure));
     const bool is_run = find_named(figure.runs, name);
-    if (is_run == (find_metric(claim.metric).of_run != nullptr)) continue;
+    if (is_run == (find_metric(claim.metric).of_run != nullptr)) {
+      if (!is_run) check_time(entry, claim, *find_named(figure.surfaces, name));
+      continue;
+    }
     entry.complain_at(key, fmt::format("found '{}', a {}, allowed: a {}, of which {} is measured", name, is_run ? "run" : "surface",
                                        is_run ? "surface" : "run", claim.metric));
   }

@@ -108,7 +108,8 @@ struct Figure {
 
 /// Names of the charts and numbers that an item's function computes (see experiments/make/computed.h).
 struct ComputedNames {
-  std::vector<std::string> charts, numbers;
+  std::vector<std::string> charts;
+  std::vector<KnownNumber> numbers;
 };
 
 /// Reads the file and checks that every name in it refers to something that exists. Throws InputError with file, line, found and allowed.

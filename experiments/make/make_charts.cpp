@@ -34,7 +34,7 @@ std::vector<double> metric_over_time(const Results& run, const Metric& metric, M
   std::vector<double> values;
   for (const double time : run.column("time_s")) {
     place.time_s = time;
-    values.push_back(metric.of_run(run, place));
+    values.push_back(measure(metric, run, place).value);
   }
   return values;
 }
@@ -49,7 +49,7 @@ charts::Chart chart_over_time(const FigurePaths& paths, const FigureChart& chart
   for (const std::string& name : chart.of) {
     const Results run(paths.run(name));
     panel.series.push_back({words_of(name), charts::Kind::line, run.column("time_s"),
-                            metric ? metric_over_time(run, *metric, chart.place) : run.column(column)});
+                            metric ? metric_over_time(run, *metric, chart.place) : run.column_as_it_is(column)});
   }
   panel.legend = panel.series.size() > 1 ? charts::Legend::right : charts::Legend::none;
   return {chart.name, chart.shows, {panel}, 1, 4.4, 2.8};

@@ -15,7 +15,7 @@ void say(const MakeOptions& options, const std::string& line) {
 }
 
 bool MadeFigure::holds() const {
-  return std::all_of(verdicts.begin(), verdicts.end(), [](const ClaimVerdict& v) { return v.holds; });
+  return !verdicts.empty() && std::all_of(verdicts.begin(), verdicts.end(), [](const ClaimVerdict& v) { return v.holds; });
 }
 
 namespace {

@@ -13,7 +13,7 @@ struct MadeFigure {
   std::vector<ComputedTable> tables;
   std::filesystem::path folder;  ///< results/items/<item>-<quality>
 
-  bool holds() const;  ///< whether every claim holds
+  bool holds() const;  ///< whether there are claims and every one holds
 };
 
 /// The item's figure.toml, and the names of what its function computes.

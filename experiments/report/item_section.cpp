@@ -22,6 +22,12 @@ Html what_was_measured(const json& claim) {
   return join({head, element("div", text(claim.at("meaning").get<std::string>()), "class=\"soft\"")});
 }
 
+/// Why it is claimed; before that, why there is no number.
+std::string reason(const json& claim) {
+  const std::string problem = claim.value("problem", ""), why = claim.at("why");
+  return problem.empty() ? why : problem + "; " + why;
+}
+
 Html claims_table(const json& claims) {
   std::vector<std::vector<Html>> rows;
   for (const json& claim : claims) {
@@ -29,7 +35,7 @@ Html claims_table(const json& claims) {
     rows.push_back({what_was_measured(claim),
                     text(number(number_in(claim.at("measured"))) + (unit == "1" || unit.empty() ? "" : " " + unit)),
                     text(claim.at("condition").get<std::string>()), badge(claim.at("holds").get<bool>()),
-                    text(claim.at("kind").get<std::string>()), text(claim.at("why").get<std::string>())});
+                    text(claim.at("kind").get<std::string>()), text(reason(claim))});
   }
   return table({"measured", "value", "claim", "verdict", "evidence", "why"}, rows);
 }
@@ -99,7 +105,7 @@ ItemVerdict ReportedItem::verdict() const {
   if (!made) return item->status == ItemStatus::done ? ItemVerdict::not_run : ItemVerdict::not_there_yet;
   const auto& claims = made->at("claims");
   const bool all = std::all_of(claims.begin(), claims.end(), [](const json& claim) { return claim.at("holds").get<bool>(); });
-  return all ? ItemVerdict::reproduced : ItemVerdict::not_reproduced;
+  return all && !claims.empty() ? ItemVerdict::reproduced : ItemVerdict::not_reproduced;
 }
 
 Html badge(bool holds) {

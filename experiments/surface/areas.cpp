@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "analysis/claims/finite.h"
 #include "experiments/common/order.h"
 #include "experiments/common/study_scene.h"
 #include "experiments/surface/surface.h"
@@ -74,7 +75,7 @@ AreaClaim claim_of(const Areas& areas) {
 double figure(const Areas& areas) {
   if (!areas.smooth) return areas.order();
   double largest = 0;
-  for (const double ratio : areas.ratios) largest = std::max(largest, std::abs(ratio - 1));
+  for (const double ratio : areas.ratios) largest = larger(largest, std::abs(ratio - 1));
   return largest;
 }
 

@@ -2,6 +2,8 @@
 // Momentum of the mixture.   [Ding19 Sec. 6.1, 6.4]
 #pragma once
 
+#include <limits>
+
 #include "reference/textbook/grid.h"
 #include "reference/textbook/particle.h"
 
@@ -43,8 +45,10 @@ struct SeenVelocity {
   }
 };
 
-/// The volume at which a particle fills the room of its nodes alone, sum w w V = dx^3, on average over the places in a cell [m^3].
+/// The volume at which a particle fills the room of its nodes alone, sum w w V = dx^3, on average over the places in a cell [m^3]. No bound
+/// is needed where pores hold a vacuum, which resists opening.
 inline double room_of_nodes(const Recipe& recipe) {
+  if (recipe.leavening && !recipe.pores_open) return std::numeric_limits<double>::infinity();
   const double overlap = recipe.kernel == Kernel::quadratic ? 11. / 20 : 151. / 315;  // integral of N^2
   return std::pow(recipe.dx / overlap, 3);
 }

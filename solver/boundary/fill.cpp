@@ -220,21 +220,25 @@ FillingSize estimate_filling(const Shape& shape, double spacing_m) {
 
 double sampled_volume(const Shape& shape, double at_least_m3) {
   constexpr double k_error = 2e-4, k_most_cut = 5e5;
-  constexpr int k_most_halvings = 40;  // beyond it are rounding errors: of a shape that touches itself in a point
+  constexpr int k_most_rounds = 20;  // beyond them are rounding errors: of a shape that touches itself in a point
   const Box3 box = shape.bounds();
   const Vector3 extent = box.high - box.low;
   const double longest = *std::max_element(extent.begin(), extent.end());
   if (!std::isfinite(longest)) return k_infinity;
   if (!(*std::min_element(extent.begin(), extent.end()) > 0)) return 0;
-  const double edge = longest / 16;
-  for (int halvings = 0;; ++halvings) {
+  double finest = longest / 64;
+  for (int round = 1;; ++round) {
     VolumeSampler sampler(shape);
+    const int halvings = std::max(0, std::ilogb(longest / 16 / finest));
+    const double edge = std::ldexp(finest, halvings);
     for (double x = 0.5; (x - 0.5) * edge < extent[0]; ++x)
       for (double y = 0.5; (y - 0.5) * edge < extent[1]; ++y)
         for (double z = 0.5; (z - 0.5) * edge < extent[2]; ++z) sampler.add(box.low + edge * Vector3{x, y, z}, edge, halvings);
-    const double finest = std::ldexp(edge, -halvings), error = 0.25 * std::sqrt(sampler.cut) * finest * finest * finest;
-    if (error <= k_error * std::max(sampler.volume, at_least_m3) || sampler.cut > k_most_cut || halvings == k_most_halvings)
-      return sampler.volume;
+    const double error = 0.25 * std::sqrt(sampler.cut) * finest * finest * finest;
+    const double wanted = k_error * std::max(sampler.volume, at_least_m3);
+    if (error <= wanted || sampler.cut > k_most_cut || round == k_most_rounds) return sampler.volume;
+    // the error goes with finest^2, the number of cut cubes with 1 / finest^2
+    finest *= std::max({0.25, std::sqrt(0.5 * sampler.cut / k_most_cut), 0.95 * std::sqrt(wanted / error)});
   }
 }
 

@@ -43,7 +43,7 @@ struct FillingSize {
 FillingSize estimate_filling(const Shape& shape, double spacing_m);
 
 /// Volume of a shape from its signed distance alone [m^3], infinite if its bounds are. Cubes that are surely inside count wholly, of each
-/// cube that the surface may cut two opposite points at random decide. So it has no bias. Cubes are halved until the standard error is at
+/// cube that the surface may cut two opposite points at random decide. So it has no bias. Cubes get smaller until the standard error is at
 /// most 0.02 % of the volume, or of `at_least_m3` if that is more, or until the surface has some 10^6 of them: a sheet of less than a 500th
 /// of its length may be off by more. The same bits every time.
 double sampled_volume(const Shape& shape, double at_least_m3 = 0);

@@ -10,6 +10,7 @@
 #include "solver/core/step_limit.h"
 #include "solver/core/symmetric.h"
 #include "solver/effects/effect.h"
+#include "solver/effects/leavening.h"
 
 namespace bake {
 
@@ -59,14 +60,15 @@ struct Motion : Effect {
   template <class Real>
   struct Constants {
     Real affine, flip, inertia;
-    Real room;  ///< volume with which a particle alone fills its nodes [m^3]
+    Real room;  ///< volume with which a particle alone fills its nodes [m^3]; infinite where gas in closed pores resists opening
     template <class Scene, class SceneMaterial>
     Constants(const Scene& scene, const SceneMaterial&) {
       const auto& settings = scene.settings.template get<Settings>();
       affine = settings.transfer == Transfer::apic;
       flip = settings.transfer == Transfer::flip ? static_cast<Real>(settings.flip_blend) : Real(0);
       inertia = static_cast<Real>(settings.inertia_scale);
-      room = static_cast<Real>(std::pow(scene.dx() / (scene.grid.kernel == KernelOrder::quadratic ? 11. / 20 : 151. / 315), 3));
+      const double overlap = scene.grid.kernel == KernelOrder::quadratic ? 11. / 20 : 151. / 315;  // integral of N^2
+      room = Leavening::holds_vacuum(scene) ? static_cast<Real>(k_infinity) : static_cast<Real>(std::pow(scene.dx() / overlap, 3));
     }
   };
 
@@ -88,9 +90,10 @@ struct Motion : Effect {
 
   /// x += dt v, J *= det(I + dt C), with v and C = grad v of the nodes around.
   /// A particle that is alone on its nodes gets back the C that it gave: a memory that tells nothing of the dough around, by which J would
-  /// grow without end where no stress resists (torn, with open pores). But its nodes' room is bounded: sum w w V / dx^3 is the share of it
-  /// that the particle fills itself, 0.03 in fresh dough, and the dough is in pieces long before it is 1. There, V = dx^3 / (integral of
-  /// N^2)^3 on average over the places in a cell, it opens no further, and forgets that it did. Its momenta stay.
+  /// grow without end where no stress resists (torn, with open pores or no gas; a vacuum in closed pores resists). But its nodes' room is
+  /// bounded: sum w w V / dx^3 is the share of it that the particle fills itself, 0.03 in fresh dough, and the dough is in pieces long
+  /// before it is 1. There, V = dx^3 / (integral of N^2)^3 on average over the places in a cell, it opens no further, and forgets that it
+  /// did. Its momenta stay.
   BAKE_INLINE static void gather(auto& p, const auto& from, const auto& k, const auto& step, auto&) {
     using P = std::decay_t<decltype(p)>;
     for (int i = 0; i < 3; ++i) {

@@ -12,6 +12,7 @@
 #include "solver/engine/engine.h"
 #include "solver/grid/sort_particles.h"
 #include "solver/run/fill_scene.h"
+#include "tests/bench/counters.h"
 #include "tests/bench/flops.h"
 #include "tests/bench/steps.h"
 
@@ -19,10 +20,12 @@ namespace bake::bench {
 
 namespace {
 
-void count_particles(benchmark::State& state, const Stopwatch& watch, double per_iteration) {
-  const double done = per_iteration * static_cast<double>(state.iterations()), wall = watch.wall_s();
-  state.counters["M/s"] = 1e-6 * done / wall;
-  state.counters["ns"] = 1e9 * wall / done;
+/// Returns the rate, in millions per second.
+double count_particles(benchmark::State& state, const Stopwatch& watch, double per_iteration) {
+  const double done = per_iteration * static_cast<double>(state.iterations()), wall = watch.wall_s(), rate = 1e-6 * done / wall;
+  set_counter(state.counters, "M/s", rate);
+  set_counter(state.counters, "ns", 1e9 * wall / done);
+  return rate;
 }
 
 template <class Real>
@@ -40,9 +43,10 @@ void order_500K(benchmark::State& state, int threads, double triad_GB_per_s) {
   sort_particles<Real>(engine.store(), nullptr, engine.geometry(), nullptr, to);  // takes the memory
   const Stopwatch watch;
   for ([[maybe_unused]] auto once : state) sort_particles<Real>(engine.store(), nullptr, engine.geometry(), nullptr, to);
-  count_particles(state, watch, static_cast<double>(engine.particles()));
-  state.counters["bytes"] = 2. * sizeof(Real) * to.columns;  // columns are read and written
-  state.counters["triad"] = 1e-3 * state.counters["bytes"] * state.counters["M/s"] / triad_GB_per_s;
+  const double rate = count_particles(state, watch, static_cast<double>(engine.particles()));
+  const double bytes = 2. * sizeof(Real) * to.columns;  // columns are read and written
+  set_counter(state.counters, "bytes", bytes);
+  set_counter(state.counters, "triad", 1e-3 * bytes * rate / triad_GB_per_s);
   omp_set_num_threads(all);
 }
 
@@ -77,9 +81,9 @@ void time_function(benchmark::State& state, Function f, double flops, double pea
     }
     benchmark::ClobberMemory();
   }
-  count_particles(state, watch, k_tiles * k_width<Real>);
-  state.counters["flops"] = flops;
-  state.counters["peak"] = 1e-3 * flops * state.counters["M/s"] / peak_GFLOPs;
+  const double rate = count_particles(state, watch, k_tiles * k_width<Real>);
+  set_counter(state.counters, "flops", flops);
+  set_counter(state.counters, "peak", 1e-3 * flops * rate / peak_GFLOPs);
 }
 
 template <class Real>
@@ -123,7 +127,7 @@ void return_map(benchmark::State& state, bool quadratic) {
     benchmark::ClobberMemory();
   }
   count_particles(state, watch, k_tiles * k_width<Real>);
-  state.counters["flowing"] = flowing;
+  set_counter(state.counters, "flowing", flowing);
 }
 
 template <class Real>

@@ -14,6 +14,7 @@
 #include "solver/engine/engine.h"
 #include "solver/run/simulation.h"
 #include "solver/scene/describe.h"
+#include "tests/bench/counters.h"
 #include "tests/bench/flops.h"
 #include "tests/bench/flowing.h"
 
@@ -85,19 +86,19 @@ void time_steps(benchmark::State& state, const Subject& subject, int threads, do
   omp_set_num_threads(all);
   const Counters& after = run.simulation->counters();
   const auto done = static_cast<double>(after.particle_steps - before.particle_steps);
-  state.counters["M/s"] = 1e-6 * done / wall;
-  state.counters["ns*core"] = 1e9 * wall * threads / done;
-  state.counters["cpu_ns"] = 1e9 * cpu / done;
-  state.counters["peak"] = 1e-9 * run.flops * done / wall / peak_GFLOPs;
-  state.counters["triad"] = 1e-9 * run.bytes_moved * done / wall / triad_GB_per_s;
-  state.counters["flops"] = run.flops;
-  state.counters["bytes"] = run.bytes_moved;
-  state.counters["B/particle"] = run.bytes_per_particle;
-  state.counters["B/node"] = run.bytes_per_node;
-  state.counters["MiB"] = static_cast<double>(run.simulation->bytes()) / (1 << 20);
-  state.counters["nodes/particle"] = nodes_per_particle(*run.simulation);
-  state.counters["flowing"] = run.flowing;
-  state.counters["orderings"] = static_cast<double>(after.orderings - before.orderings);
+  set_counter(state.counters, "M/s", 1e-6 * done / wall);
+  set_counter(state.counters, "ns*core", 1e9 * wall * threads / done);
+  set_counter(state.counters, "cpu_ns", 1e9 * cpu / done);
+  set_counter(state.counters, "peak", 1e-9 * run.flops * done / wall / peak_GFLOPs);
+  set_counter(state.counters, "triad", 1e-9 * run.bytes_moved * done / wall / triad_GB_per_s);
+  set_counter(state.counters, "flops", run.flops);
+  set_counter(state.counters, "bytes", run.bytes_moved);
+  set_counter(state.counters, "B/particle", run.bytes_per_particle);
+  set_counter(state.counters, "B/node", run.bytes_per_node);
+  set_counter(state.counters, "MiB", static_cast<double>(run.simulation->bytes()) / (1 << 20));
+  set_counter(state.counters, "nodes/particle", nodes_per_particle(*run.simulation));
+  set_counter(state.counters, "flowing", run.flowing);
+  set_counter(state.counters, "orderings", static_cast<double>(after.orderings - before.orderings));
 }
 
 void add(const Subject& subject, const Limits& limits, const std::vector<int>& threads) {

@@ -2,6 +2,7 @@
 // Whatever pushes the dough is booked: momentum = start + impulses, angular momentum = start + angular impulses.
 #include <gtest/gtest.h>
 
+#include "analysis/claims/finite.h"
 #include "tests/conservation/dough.h"
 
 namespace bake {
@@ -50,7 +51,7 @@ TEST_P(EveryPush, IsBooked) {
                   steps * round_off(precision) * scale * k_reach)
           << d;
     }
-    pushed = std::max(pushed, length(now.impulse));
+    pushed = larger(pushed, length(now.impulse));
   });
   EXPECT_GT(pushed, 0.01 * start.mass()) << "else nothing was tested";
 }

@@ -71,6 +71,24 @@ TEST(WarmPlasticDough, FlowsBetweenWallsInsteadOfPushing) {
   EXPECT_NEAR(found, p, 0.1 * p) << "waves of the sudden start flow a little too far";
 }
 
+// The body fills the space between its walls: what it holds as energy of stress is lost to plastic flow and to nothing else.
+TEST(DissipatedWork, IsTheEnergyOfTheStressThatHasFlownAway) {
+  double gap[2];
+  for (int i = 0; i < 2; ++i) {
+    Dough dough = warm_cube("motion, heat, elasticity, plasticity", 300, true);
+    dough.time = fmt::format("largest_step_s = {}", i == 0 ? 2e-4 : 1e-4);
+    const auto s = dough.begin();
+    const double start = Sums(*s).elastic;
+    s->advance(0.5, 1);
+    const Sums now(*s);
+    const double lost = start - now.elastic - now.kinetic;
+    EXPECT_GT(lost, 0.5 * start) << "else nothing was tested";
+    gap[i] = std::abs(now.dissipated / lost - 1);
+    EXPECT_LT(gap[i], 0.1);
+  }
+  std::printf("dissipated work is off by %.3g and %.3g\n", gap[0], gap[1]);
+}
+
 // kinetic + elastic + thermoelastic + dissipated - heat that expansion took: nothing else gives or takes. Terms of dt swing to and fro.
 TEST(WarmPlasticDough, ClosesTheBooksOfEnergyWhileItFlowsAndExpands) {
   for (const double largest_step : {2e-4, 1e-4}) {

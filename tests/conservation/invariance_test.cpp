@@ -6,6 +6,7 @@
 #include <map>
 #include <random>
 
+#include "analysis/claims/finite.h"
 #include "solver/boundary/rotation.h"
 #include "solver/engine/engine.h"
 #include "solver/grid/sort_particles.h"
@@ -112,10 +113,10 @@ void expect_close(const Particles& a, const Particles& b, const Rotation& turn, 
   double worst = 0, worst_scalar = 0;
   for (const auto& [id, now] : a) {
     const Now& other = b.at(id);
-    worst = std::max(worst, length(turn * now.x + shift - other.x));
+    worst = larger(worst, length(turn * now.x + shift - other.x));
     ASSERT_GE(now.scalars.size(), 5u);
     for (std::size_t i = 0; i < now.scalars.size(); ++i)
-      worst_scalar = std::max(worst_scalar, std::abs(now.scalars[i] - other.scalars[i]) / (std::abs(now.scalars[i]) + 1e-6));
+      worst_scalar = larger(worst_scalar, std::abs(now.scalars[i] - other.scalars[i]) / (std::abs(now.scalars[i]) + 1e-6));
   }
   EXPECT_LE(worst, k_close);
   EXPECT_LE(worst_scalar, k_close);
@@ -222,7 +223,7 @@ Difference difference(const Particles& start, const std::vector<NewParticle>& fl
   }
   Difference result{std::sqrt(apart / deflected), 0};
   for (std::size_t i = 0; i < scalars; ++i)
-    if (differ[i] > 0) result.scalar = std::max(result.scalar, std::sqrt(differ[i] / change[i]));
+    if (differ[i] > 0) result.scalar = larger(result.scalar, std::sqrt(differ[i] / change[i]));
   return result;
 }
 
@@ -347,7 +348,7 @@ TEST(AnEffect, WithParametersOfZeroIsAnEffectThatIsNotThere) {
   for (const auto& [name, with] : others) {
     ASSERT_EQ(with.size(), without.size());
     double worst = 0;
-    for (std::size_t i = 0; i < with.size(); ++i) worst = std::max(worst, length(with[i] - without[i]));
+    for (std::size_t i = 0; i < with.size(); ++i) worst = larger(worst, length(with[i] - without[i]));
     EXPECT_LE(worst, k_close) << name;
   }
 }

@@ -2,6 +2,7 @@
 // Particles and their nodes agree: what differs within a cell evens out, and dry dough takes up water.
 #include <gtest/gtest.h>
 
+#include "analysis/claims/finite.h"
 #include "tests/conservation/dough.h"
 
 namespace bake {
@@ -26,10 +27,7 @@ Dough halves(const char* effects, const char* left, const char* right) {
   return dough;
 }
 
-std::pair<double, double> range_of(const std::vector<double>& values) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  return {*low, *high};
-}
+std::pair<double, double> range_of(const std::vector<double>& values) { return {smallest_of(values), largest_of(values)}; }
 
 std::vector<double> saturations(const Simulation& s) {
   const Snapshot now = s.snapshot();

@@ -74,6 +74,46 @@ TEST(Vapour, TakesTheHeatAndTheMomentumThatAreBooked) {
   EXPECT_NEAR(-Sums(*s).impulse[0], lost, 0.05 * lost);
 }
 
+double sum(const std::vector<double>& values) {
+  double all = 0;
+  for (const double value : values) all += value;
+  return all;
+}
+
+// The bookings against the particles themselves, one by one: neither the ledger's sums nor another booking are asked.
+TEST(EvaporatedWater, IsWhatTheParticlesHaveLost) {
+  for (const char* effects : {"water", "heat, water", k_everything}) {
+    const Dough dough = drying(effects);
+    const auto s = dough.begin();
+    const double before = sum(s->snapshot()["water_mass"]);
+    take_steps(*s, 20, dough.frame_s);
+    const double lost = before - sum(s->snapshot()["water_mass"]);
+    EXPECT_GT(lost, 1e-3 * before) << effects << ": else nothing was tested";
+    EXPECT_NEAR(s->booked(booked::evaporated), lost, 20e-12 * before) << effects;
+  }
+}
+
+TEST(LatentHeat, IsWhatTheParticlesHaveCooledBy) {
+  Dough dough = drying("heat, water");
+  dough.tables = "[water]\nlatent_heat_J_per_kg = 1e4\n";  // no oven
+  const auto s = dough.begin();
+  const double c_s = 20, c_w = 40;  // [J/(kg K)]
+  const auto content = [&] {
+    const Snapshot now = s->snapshot();
+    double all = 0;
+    for (std::size_t i = 0; i < now.id.size(); ++i)
+      all += (c_s * now["solid_mass"][i] + c_w * now["water_mass"][i]) * now["temperature"][i];
+    return all;
+  };
+  const double before = content(), water = sum(s->snapshot()["water_mass"]);
+  take_steps(*s, 20, dough.frame_s);
+  const double lost = water - sum(s->snapshot()["water_mass"]), taken = before - content();
+  const double with_vapour = c_w * 60 * lost;  // it leaves at the surface's temperature, of 60 C and below
+  EXPECT_GT(s->booked(booked::latent_heat), 0.02 * before) << "else nothing was tested";
+  EXPECT_NEAR(s->booked(booked::latent_heat), taken - with_vapour, 0.3 * with_vapour);
+  EXPECT_LT(with_vapour, 0.3 * s->booked(booked::latent_heat)) << "the bound is sharp";
+}
+
 // Water's mass is remapped by one operator (19), what it carries by another (the transfers). Where velocity or temperature vary
 // within a stencil the two differ; the difference has columns of its own, with which the books close to round-off.
 

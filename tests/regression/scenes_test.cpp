@@ -202,7 +202,8 @@ std::vector<std::size_t> pieces(const std::vector<float>& positions, double dx) 
 TEST(KnifeScene, LeavesTwoPiecesOfAboutOneSize) {
   const Baked run("features/knife.toml", 18);
   ASSERT_NO_FATAL_FAILURE(expect_finished(run, 18));
-  const auto sizes = pieces(run.positions(), 0.01);  // of a node distance
+  const auto sizes = pieces(
+      run.positions(), 0.0095);  // a node distance, less so much that the faces of the knife, where dough lies, are in cells of their own
   const std::size_t all = run.positions().size() / 3;
   ASSERT_GE(sizes.size(), 2u) << "it is still one piece";
   EXPECT_GT(sizes[0] + sizes[1], all * 98 / 100) << "crumbs";

@@ -82,42 +82,45 @@ void check_pictures(const Made& made, const char* experiment) {
   }
 }
 
-/// Every claim holds, and there are at least so many.
-void check_claims_hold(const Made& made, std::size_t at_least) {
+/// The claims that do not come out are those of these metrics; each item's README says why. There are at least so many claims in all.
+void check_claims(const Made& made, const std::set<std::string>& expected_to_miss, std::size_t at_least) {
   ASSERT_LE(made.exit_code, 1) << made.errors;
-  for (const auto& claim : made.claims) EXPECT_TRUE(claim["holds"].get<bool>()) << claim.dump(1);
-  EXPECT_EQ(made.exit_code, 0);
+  std::set<std::string> missed;
+  for (const auto& claim : made.claims)
+    if (!claim["holds"].get<bool>() && missed.insert(claim["metric"].get<std::string>()).second)
+      EXPECT_TRUE(expected_to_miss.count(claim["metric"].get<std::string>())) << claim.dump(1);
+  EXPECT_EQ(missed, expected_to_miss);
+  EXPECT_EQ(made.exit_code, expected_to_miss.empty() ? 0 : 1);
   EXPECT_GE(made.claims.size(), at_least);
+}
+
+TEST(Figure2, AMuffinRisesToADomeItsChipsMeltAndItIsTornInTwoButDrawnOutWhereItTears) {
+  const Made figure(2, "muffin");
+  check_claims(figure, {"pieces_volume"}, 14);
+  check_pictures(figure, "fig02_muffin");
 }
 
 TEST(Figure3, CookiesFallWithLeavenerAndSpreadInACoolOven) {
   const Made figure(3, "cookies");
-  check_claims_hold(figure, 37);
+  check_claims(figure, {}, 37);
   check_pictures(figure, "fig03_cookies");
 }
 
 TEST(Figure6, NeckAndTwistAreMonotoneInYieldStressAndViscosity) {
   const Made figure(6, "dough");
-  check_claims_hold(figure, 40);
+  check_claims(figure, {}, 40);
   check_pictures(figure, "fig06_dough");
 }
 
 TEST(Figure4, ACakeFlowsOutOfItsCentreAndOneThatBakedLongerDoesNot) {
   const Made figure(4, "lava_cake");
-  check_claims_hold(figure, 10);
+  check_claims(figure, {}, 10);
   check_pictures(figure, "fig04_lava_cake");
 }
 
 TEST(Figure15, LoavesExpandAndSlitsOpenButTheTopDoesNotCrack) {
   const Made figure(15, "bread");
-  ASSERT_LE(figure.exit_code, 1) << figure.errors;
-  std::set<std::string> missed;
-  for (const auto& claim : figure.claims)
-    if (!claim["holds"].get<bool>()) missed.insert(claim["metric"].get<std::string>());
-  // experiments/fig15_bread/README.md says why; should it hold one day, this line and that page are to be mended
-  EXPECT_EQ(missed, (std::set<std::string>{"crack_share"}));
-  EXPECT_EQ(figure.exit_code, 1);
-  EXPECT_GE(figure.claims.size(), 6u);
+  check_claims(figure, {"crack_share"}, 6);  // should it hold one day, this line and the README are to be mended
 
   for (const char* name : {"surface_no", "surface_one", "surface_three"}) {
     SCOPED_TRACE(name);
@@ -129,7 +132,7 @@ TEST(Figure15, LoavesExpandAndSlitsOpenButTheTopDoesNotCrack) {
 
 TEST(Figure16, LoafIsTornInTwo) {
   const Made figure(16, "tearing");
-  check_claims_hold(figure, 7);
+  check_claims(figure, {}, 7);
   check_pictures(figure, "fig16_tearing");
 }
 

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "analysis/claims/blessing.h"
+#include "tests/support/temporary_folder.h"
 
 namespace bake {
 namespace {
@@ -50,6 +51,40 @@ TEST(AClaim, OfAnOrderHoldsOnlyIfEveryStepDoes) {
   c.order = Trend::falling;
   EXPECT_EQ(holds(c, {{"a", 3}, {"b", 2}, {"c", 2.5}}), (std::vector{true, true, false}));
   EXPECT_EQ(holds(c, {{"a", std::nan("")}, {"b", 2}, {"c", 1}}), (std::vector{false, false, true}));
+  EXPECT_EQ(holds(c, {{"a", k_infinity}, {"b", 2}, {"c", -k_infinity}}), (std::vector{false, false, false}));
+}
+
+/// Every kind of condition; `of` a and b.
+std::vector<Claim> all_conditions() {
+  std::vector<Claim> all(7, claim({"a", "b"}));
+  all[0].at_least = -1e300;
+  all[1].at_most = 1e300;
+  all[2].at_least = -1e300, all[2].at_most = 1e300;
+  all[3].expected = 0, all[3].tolerance = 1e300;
+  all[4].greater_than = std::string("c");
+  all[5].order = Trend::rising;
+  all[6].order = Trend::falling;
+  return all;
+}
+
+TEST(AClaim, OfEveryKindIsMissedWhereANumberIsNone) {
+  for (const Claim& c : all_conditions())
+    for (const double none : {std::nan(""), k_infinity, -k_infinity})
+      for (const ClaimVerdict& v : judge(c, {"1", "x"}, [&](const Claim&, const std::string&) { return Measurement(none); })) {
+        EXPECT_FALSE(v.holds) << v.condition << " with " << none;
+        EXPECT_FALSE(v.problem.empty()) << v.condition;
+      }
+}
+
+TEST(AClaim, IsMissedWhereTheOtherRunHasNoNumber) {
+  Claim c = claim({"a"});
+  c.greater_than = std::string("b");
+  const auto verdicts = judge(c, {"1", "x"}, [](const Claim&, const std::string& of) {
+    return of == "a" ? Measurement(1e9) : Measurement(NoNumber("b/ledger.csv:7: height_m: found nan"));
+  });
+  EXPECT_FALSE(verdicts[0].holds);
+  EXPECT_EQ(verdicts[0].problem, "b/ledger.csv:7: height_m: found nan");
+  EXPECT_NE(table(verdicts).find("MISSED: b/ledger.csv:7: height_m: found nan; figure 15"), std::string::npos) << table(verdicts);
 }
 
 TEST(AClaim, HoldsWithinItsToleranceOrBoundsAndNotBeyond) {
@@ -87,6 +122,13 @@ expected = 3
   expected += "\n[blessed]\nwhy = \"a \\\"better\\\" rule\"\ncommit = \"abc\"\n";
   EXPECT_EQ(after, expected);
   EXPECT_EQ(cli::bless_claims(after, {{1, 2, 3}, "again", "def"}), cli::bless_claims(text, {{1, 2, 3}, "again", "def"}));
+}
+
+TEST(Blessing, RefusesWhatIsNoNumber) {
+  const std::string message = message_of<InputError>([] {
+    cli::bless_claims("[[claim]]\nexpected = 1\n", {{std::nan("")}, "why", "abc"});
+  });
+  EXPECT_EQ(message, "claims.toml: claim.0.expected: found nan, allowed: a finite number");
 }
 
 TEST(AClaim, IsPrintedWithItsReasonIfItIsMissed) {

@@ -296,7 +296,7 @@ TEST_F(SurfaceMetrics, CountAndMeasureCracksAndPieces) {
 
 TEST_F(SurfaceMetrics, LookAtTheFrameThatIsAskedFor) {
   MetricPlace start;
-  start.time_s = 1;
+  start.time_s = 1;  // of frames at 0 and 3 s
   EXPECT_EQ(measure("cracks", start), 0);
   EXPECT_EQ(measure("second_piece", start), 0);
   EXPECT_EQ(measure("two_pieces", start), 1);

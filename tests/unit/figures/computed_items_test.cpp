@@ -110,8 +110,9 @@ TEST_F(TableTwo, AnotherValueNeedsAReason) {
 }
 
 TEST_F(TableTwo, AReasonWithoutADifferenceIsCounted) {
+  const double before = number(compare_parameters(root()), "stale_reasons");  // those of scenes that are not in this folder
   add_reason("Density");
-  EXPECT_EQ(number(compare_parameters(root()), "stale_reasons"), 1);
+  EXPECT_EQ(number(compare_parameters(root()), "stale_reasons"), before + 1);
 }
 
 TEST_F(TableTwo, ACurveThatChangesStatesNoOneValue) {

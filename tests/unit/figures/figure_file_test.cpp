@@ -148,13 +148,61 @@ TEST_F(FigureFile, RefusesClaimsWithoutOneCondition) {
             "figure.toml:46: claim.1.kind: found a regression without the quality that it holds for");
 }
 
+TEST_F(FigureFile, RefusesClaimsThatCannotBeMissed) {
+  EXPECT_EQ(error_of("of = \"slit\"\nfrom_m", "of = []\nfrom_m"),
+            "figure.toml:34: claim.0.of: found [], allowed: a run or surface, or a list of them");
+  EXPECT_EQ(error_of("of = \"slit\"\nfrom_m", "of = [\"slit\", \"slit\"]\nfrom_m"),
+            "figure.toml:34: claim.0.of: found 'slit' again, allowed: each once");
+  EXPECT_EQ(error_of("greater_than = \"plain\"\nfactor = 1.5", "greater_than = \"slit\"\nfactor = 0.5"),
+            "figure.toml:37: claim.0.greater_than: found 'slit', which is measured itself, allowed: another");
+  EXPECT_EQ(error_of("greater_than = \"plain\"\nfactor = 1.5", "at_least = 0"),
+            "figure.toml:37: claim.0.at_least: found 0, allowed: above 0: no distance_gain is below it");
+  EXPECT_EQ(error_of("greater_than = \"plain\"\nfactor = 1.5", "at_least = inf"),
+            "figure.toml:37: claim.0.at_least: found inf, allowed: any finite number");
+  EXPECT_EQ(error_of("greater_than = \"plain\"\nfactor = 1.5", "at_most = inf"),
+            "figure.toml:37: claim.0.at_most: found inf, allowed: any finite number");
+  EXPECT_EQ(error_of("greater_than = \"plain\"\nfactor = 1.5", "expected = 1\ntolerance = inf"),
+            "figure.toml:38: claim.0.tolerance: found inf, allowed: a number of at least 0");
+  EXPECT_EQ(
+      error_of("metric = \"pieces\"\nof = \"torn\"\nexpected = 2\ntolerance = 0", "metric = \"two_pieces\"\nof = \"torn\"\nat_most = 1"),
+      "figure.toml:43: claim.1.at_most: found 1, allowed: below 1: no two_pieces is above it");
+  EXPECT_EQ(error_of("metric = \"pieces\"\nof = \"torn\"\nexpected = 2\ntolerance = 0",
+                     "metric = \"two_pieces\"\nof = \"torn\"\nexpected = 0.5\ntolerance = 0.5"),
+            "figure.toml:45: claim.1.tolerance: found 0.5, allowed: less: every two_pieces is within it");
+}
+
+TEST_F(FigureFile, RefusesClaimsOfAnEmptyBox) {
+  EXPECT_EQ(error_of("metric = \"distance_gain\"\nof = \"slit\"\nfrom_m = [0, 0, 0]\nto_m = [1, 0, 0]",
+                     "metric = \"share_in_box\"\nof = \"slit\"\nlow_m = [0, 0, 0]\nhigh_m = [1, 0, 2]"),
+            "figure.toml:36: claim.0.high_m: found 0 along y, allowed: above low_m, 0");
+}
+
+TEST_F(FigureFile, RefusesClaimsOfASurfaceBeforeAnythingCanBreak) {
+  EXPECT_EQ(error_of("of = \"torn\"\nexpected", "of = \"torn\"\ntime_s = 25\nexpected"),
+            "figure.toml:44: claim.1.time_s: found 25, allowed: a time of surface 'torn': 20, 30");
+  EXPECT_EQ(
+      error_of("of = \"torn\"\nexpected", "of = \"torn\"\ntime_s = 20\nexpected"),
+      "figure.toml:44: claim.1.time_s: found surface 'torn' at 20 s, allowed: after its reference time, 20 s, at which nothing is broken");
+  EXPECT_EQ(
+      error_of("times_s = [20, 30]", "times_s = [20]"),
+      "figure.toml:43: claim.1.of: found surface 'torn' at 20 s, allowed: after its reference time, 20 s, at which nothing is broken");
+}
+
+TEST_F(FigureFile, RefusesBoundsOfAComputedNumberThatItCannotMiss) {
+  const std::string text =
+      "title = \"Curves\"\nshows = \"s\"\n[[claim]]\nmetric = \"viscosity\"\nat_least = 0\nkind = \"analytic\"\nwhy = \"w\"\n";
+  EXPECT_EQ(read(text, {{}, {{"viscosity"}}}).claims.size(), 1u) << "it may be negative for all that is known";
+  const std::string line = message_of<InputError>([&] { read(text, {{}, {{"viscosity", non_negative}}}); });
+  EXPECT_EQ(line.substr(line.find("figure.toml")), "figure.toml:5: claim.0.at_least: found 0, allowed: above 0: no viscosity is below it");
+}
+
 TEST_F(FigureFile, RefersToWhatTheItemsFunctionGives) {
   const std::string text =
       "title = \"Curves\"\nshows = \"s\"\n[[chart]]\nname = \"curve\"\nshows = \"s\"\n[[claim]]\nmetric = \"distance\"\nat_most = 1\n"
       "kind = \"analytic\"\nwhy = \"w\"\n";
-  EXPECT_EQ(read(text, {{"curve"}, {"distance"}}).claims.size(), 1u);
-  EXPECT_THROW(read(text, {{"curve"}, {"distances"}}), InputError);
-  EXPECT_THROW(read(text, {{"curves"}, {"distance"}}), InputError);
+  EXPECT_EQ(read(text, {{"curve"}, {{"distance"}}}).claims.size(), 1u);
+  EXPECT_THROW(read(text, {{"curve"}, {{"distances"}}}), InputError);
+  EXPECT_THROW(read(text, {{"curves"}, {{"distance"}}}), InputError);
 }
 
 TEST_F(FigureFile, ClaimsSomething) { EXPECT_THROW(read("title = \"Curves\"\nshows = \"s\"\n"), InputError); }

@@ -13,7 +13,8 @@ namespace {
 TEST(PaperItems, AreAllFiguresAndTablesOnce) {
   std::set<std::string> expected{"table 1", "table 2"}, found;
   for (int figure = 1; figure <= 19; ++figure) expected.insert("figure " + std::to_string(figure));
-  for (const Item& item : read_items(BAKE_SOURCE_DIR).items) found.insert(item.number);  // twice would have been refused
+  for (const Item& item : read_items(BAKE_SOURCE_DIR).items)  // twice would have been refused
+    if (!item.number.starts_with("experiment")) found.insert(item.number);
   EXPECT_EQ(found, expected);
 }
 

@@ -191,7 +191,7 @@ TEST(SceneError, EmitterMustPour) {
 TEST(SceneError, DotsOfNumbersAreNoStepsOfAKey) {
   std::string curve = "[[-0.0, 20.5]";
   for (int i = 1; i < 4000; ++i) curve += fmt::format(", [{}.0, +2.0e-1]", i);
-  EXPECT_EQ(error_of(k_least + "[oven]\ntemperature_C = " + curve + "]\n"), "");
+  EXPECT_EQ(parse(k_least + "[oven]\ntemperature_C = " + curve + "]\n").oven.temperature_C.points.size(), 4000u);
   std::string key = "1.2";
   for (int i = 0; i < 4000; ++i) key += " .3.4";
   EXPECT_NE(error_of("\n" + key + " = 1\n").find("found more than 1500 dots outside of numbers"), std::string::npos);
@@ -209,7 +209,7 @@ TEST(SceneError, EndlessKeysAndNestingDoNotExhaustTheStack) {
   EXPECT_NE(error_of(k_least, {key + "b=1"}).find("found 100001 names, allowed: at most 100"), std::string::npos);
   EXPECT_NE(error_of(k_least, {"a={" + key + "b=1}"}).find("allowed: a TOML value or one word"), std::string::npos);
 
-  const std::string legal_key = key.substr(0, 6000);
+  const std::string legal_key = key.substr(0, 3000);
   EXPECT_NE(error_of("[" + legal_key + "b]\n" + legal_key + "b = 1\n").find("unknown key 'a'"), std::string::npos);
 }
 

@@ -4,9 +4,12 @@
 
 #include <cmath>
 #include <fstream>
+#include <limits>
+#include <map>
 
 #include "analysis/machines/comparison.h"
 #include "solver/core/errors.h"
+#include "tests/bench/counters.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bake::studies {
@@ -95,6 +98,31 @@ TEST_F(Machines, WrongFilesAreRefusedInOneLine) {
   EXPECT_NE(refusal(aggregates).find("no single repetition"), std::string::npos);
   EXPECT_THROW(read_bench_file(folder_.path() / "nowhere.json"), InputError);
   EXPECT_THROW(read_bench_file(folder_.path()), InputError);
+}
+
+TEST_F(Machines, FilesWithACounterThatIsNoNumberAreRead) {
+  std::string text = k_bench.text();
+  for (const char* word : {"NaN", "-NaN", "Infinity", "-Infinity"})
+    text.replace(text.find("\"real_time\": "), 0, fmt::format("\"peak\": {}, ", word));
+  EXPECT_EQ(read_bench_file(write("nan.json", text)).seconds.at("Step/all/single/500K/threads:2").size(), 5u);
+}
+
+TEST_F(Machines, FilesWithATimeThatIsNoNumberAreRefused) {
+  for (const char* word : {"NaN", "-Infinity"}) {
+    std::string text = k_bench.text();
+    text.replace(text.find("\"real_time\": 10"), 15, fmt::format("\"real_time\": {}", word));
+    EXPECT_NE(refusal(text).find("found \"Step/all/single/500K/threads:2\" without a time above 0"), std::string::npos) << refusal(text);
+  }
+  EXPECT_NE(refusal(std::string(k_bench.text()).replace(k_bench.text().find("77"), 2, "nan")).find("found no JSON (byte "),
+            std::string::npos);
+}
+
+TEST(ACounter, ThatIsNotFiniteIsLeftOut) {
+  std::map<std::string, double> counters;
+  bench::set_counter(counters, "M/s", 3);
+  bench::set_counter(counters, "peak", std::nan(""));
+  bench::set_counter(counters, "triad", 1 / std::numeric_limits<double>::denorm_min());
+  EXPECT_EQ(counters, (std::map<std::string, double>{{"M/s", 3}}));
 }
 
 TEST_F(Machines, WithoutBenchmarksInCommonAreRefused) {
