@@ -32,8 +32,8 @@ std::vector<double> times_of(const Workplace& place, const std::string& folder) 
   std::string line;
   std::getline(ledger, line);
   while (std::getline(ledger, line)) times.push_back(std::stod(line));
-  for (const auto& entry : nlohmann::json::parse(contents(place.folder() / folder / "frames.hdf.series"))["files"])
-    series.push_back(entry["time"].get<double>());
+  const nlohmann::json list = nlohmann::json::parse(contents(place.folder() / folder / "frames.hdf.series"));
+  for (const auto& entry : list["files"]) series.push_back(entry["time"].get<double>());
   EXPECT_EQ(times, series);
   return times;
 }
