@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <new>
@@ -97,6 +98,7 @@ int run_and_tell_errors(CLI::App& app, const Action& action, std::vector<std::st
 
 int run_program(CLI::App& app, const Action& action, int count, char** words) {
   hold_standard_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may grow no further is an error that is told, as on a full disk
   let_waiting_threads_sleep(words);
   const int code = run_and_tell_errors(app, action, {words + 1, words + count});
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;

@@ -137,7 +137,7 @@ void ResultsFolder::refuse_to_replace(const Scene& scene, Replace replace) const
   if (same_file && replace == Replace::same_file) return;
   const std::string other = difference(scene);
   if (other.empty()) return;
-  throw InputError(fmt::format("{}: here are the results of {} ({}), allowed: another --out, or --overwrite", folder_.string(),
+  throw InputError(fmt::format("{}: here are the results of {} ({}), allowed: another --out, or bake run --overwrite", folder_.string(),
                                same_file ? "other values of the scene" : file, other));
 }
 

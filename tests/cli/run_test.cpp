@@ -32,8 +32,8 @@ std::vector<double> times_of(const Workplace& place, const std::string& folder) 
   std::string line;
   std::getline(ledger, line);
   while (std::getline(ledger, line)) times.push_back(std::stod(line));
-  for (const auto& entry : nlohmann::json::parse(contents(place.folder() / folder / "frames.hdf.series"))["files"])
-    series.push_back(entry["time"].get<double>());
+  const nlohmann::json list = nlohmann::json::parse(contents(place.folder() / folder / "frames.hdf.series"));
+  for (const auto& entry : list["files"]) series.push_back(entry["time"].get<double>());
   EXPECT_EQ(times, series);
   return times;
 }
@@ -261,7 +261,7 @@ TEST(Run, ACheckpointOfAnotherSceneIsRefusedAndTheKeyNamed) {
   const Workplace place;
   ASSERT_EQ(place.bake("run dough --quiet --out a").exit_code, 0);
   expect_refused(place, "run dough --resume --out a --set material.dough.density_kg_per_m3=900",
-                 "checkpoint.h5: belongs to another scene (material.dough.density_kg_per_m3: found 900.0, there 1000.0)");
+                 "checkpoint.h5: belongs to another scene (material.dough.density_kg_per_m3: found 900, there 1000)");
   expect_refused(place, "run dough --resume --out a --precision double", "checkpoint");
 }
 
