@@ -19,11 +19,12 @@ bool contains(const std::vector<std::string>& list, std::string_view word) {
 /// Returns the range of what is measured.
 Range check_computed(const SceneEntry& entry, const Claim& claim, const std::vector<KnownNumber>& computed) {
   if (entry.find("of")) entry.complain_at("of", "found [], allowed: a run or surface, or a list of them");
-  if (!claim.greater_than.empty()) entry.complain_at("greater_than", "needs `of`: a number that is computed has no other run");
   std::vector<std::string> names;
   for (const KnownNumber& number : computed) {
-    if (number.name == claim.metric) return number.range;
     names.push_back(number.name);
+    if (number.name != claim.metric) continue;
+    if (!claim.greater_than.empty()) entry.complain_at("greater_than", "needs `of`: a number that is computed has no other run");
+    return number.range;
   }
   entry.complain_at("metric", fmt::format("unknown number '{}'; {}", claim.metric,
                                           names.empty() ? "a metric needs `of`: the run or surface that it is measured of"

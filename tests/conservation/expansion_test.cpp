@@ -79,14 +79,15 @@ TEST(DissipatedWork, IsTheEnergyOfTheStressThatHasFlownAway) {
     dough.time = fmt::format("largest_step_s = {}", i == 0 ? 2e-4 : 1e-4);
     const auto s = dough.begin();
     const double start = Sums(*s).elastic;
-    s->advance(0.5, 1);
+    s->advance(0.1, 0.2);
     const Sums now(*s);
     const double lost = start - now.elastic - now.kinetic;
     EXPECT_GT(lost, 0.5 * start) << "else nothing was tested";
-    gap[i] = std::abs(now.dissipated / lost - 1);
-    EXPECT_LT(gap[i], 0.1);
+    gap[i] = now.dissipated / lost - 1;
   }
-  std::printf("dissipated work is off by %.3g and %.3g\n", gap[0], gap[1]);
+  // of first order in the step: the stress after it times what flowed in it
+  EXPECT_LT(std::abs(gap[1]), 0.7 * std::abs(gap[0]));
+  EXPECT_NEAR(2 * gap[1] - gap[0], 0, 0.03) << gap[0] << " and " << gap[1];
 }
 
 // kinetic + elastic + thermoelastic + dissipated - heat that expansion took: nothing else gives or takes. Terms of dt swing to and fro.

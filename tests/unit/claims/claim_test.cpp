@@ -91,6 +91,8 @@ TEST(AClaim, HoldsWithinItsToleranceOrBoundsAndNotBeyond) {
   Claim c = claim({"a", "b", "c"});
   c.expected = 0.4, c.tolerance = 0.01;
   EXPECT_EQ(holds(c, {{"a", 0.409}, {"b", 0.4101}, {"c", std::nan("")}}), (std::vector{true, false, false}));
+  c.expected = 0.5, c.tolerance = 0.25;
+  EXPECT_EQ(holds(c, {{"a", 0.75}, {"b", 0.25}, {"c", 0.7500001}}), (std::vector{true, true, false}));
   c.expected = c.tolerance = std::nullopt;
   c.at_least = 1, c.at_most = 2;
   EXPECT_EQ(holds(c, {{"a", 2}, {"b", 0.9}, {"c", 2.1}}), (std::vector{true, false, false}));

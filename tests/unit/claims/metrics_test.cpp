@@ -294,6 +294,19 @@ TEST_F(SurfaceMetrics, CountAndMeasureCracksAndPieces) {
   EXPECT_EQ(measure("two_pieces"), 0.875);
 }
 
+TEST_F(SurfaceMetrics, ReadANumberThatIsNullAsNaN) {
+  std::string json = k_fracture;
+  json.replace(json.find("\"area_m2\": 0.1"), 14, "\"area_m2\": null");
+  const std::string message = message_of<NoNumber>([&] { measure("cracks", {}, json); });
+  EXPECT_NE(message.find("fracture.json: a crack's area_m2 at 3 s: found nan, allowed: a finite number"), std::string::npos) << message;
+}
+
+TEST_F(SurfaceMetrics, CompareNoVolumeWithItself) {
+  MetricPlace start;
+  start.time_s = 0;
+  EXPECT_THROW(measure("pieces_volume", start), NoNumber);
+}
+
 TEST_F(SurfaceMetrics, LookAtTheFrameThatIsAskedFor) {
   MetricPlace start;
   start.time_s = 1;  // of frames at 0 and 3 s
@@ -334,6 +347,66 @@ TEST_F(ResultsOfARun, AreNotThereBeforeItIsDone) {
   EXPECT_THROW(results("time_s,volume_m3\n0,1\n", "interrupted"), InputError);
   EXPECT_THROW(results("time_s,volume_m3\n"), InputError);
   EXPECT_THROW(results("time_s\n0\n").column("volume_m3"), InputError);
+}
+
+using Booking = std::pair<std::string, double>;  ///< a column, and whether what it holds adds to the content or takes from it
+
+/// A ledger whose content is 100 and what was booked; every booking is another power of two, and doubled in the last row.
+std::string closed_books(const std::string& content, const std::vector<Booking>& bookings, const std::string& more = "") {
+  std::string heading = "time_s," + content, rows;
+  for (const auto& [column, sign] : bookings) heading += "," + column;
+  for (const int row : {0, 1, 2}) {
+    double sum = 100, booked = row;
+    std::string line;
+    for (const auto& [column, sign] : bookings) {
+      sum += sign * booked;
+      line += "," + std::to_string(booked);
+      booked *= 2;
+    }
+    rows += std::to_string(row) + "," + std::to_string(sum) + line + (more.empty() ? "" : ",1,1") + "\n";
+  }
+  return heading + more + "\n" + rows;
+}
+
+TEST_F(ResultsOfARun, CloseTheBooksOfEveryContentWithEveryBookingsSign) {
+  const auto drift = [&](const char* metric, const std::string& ledger) { return find_metric(metric).of_run(results(ledger), {}); };
+  EXPECT_EQ(drift("heat_drift", closed_books("heat_content_J", {{"heat_exchanged_J", 1},
+                                                                {"latent_heat_J", -1},
+                                                                {"vapour_heat_J", -1},
+                                                                {"expansion_heat_J", -1},
+                                                                {"water_remap_heat_J", 1},
+                                                                {"retired_heat_content_J", -1},
+                                                                {"emitted_heat_content_J", 1}})),
+            0);
+  EXPECT_EQ(drift("water_drift", closed_books("water_mass_kg",
+                                              {{"water_evaporated_kg", -1}, {"retired_water_mass_kg", -1}, {"emitted_water_mass_kg", 1}})),
+            0);
+  EXPECT_EQ(drift("solid_drift", closed_books("solid_mass_kg", {{"retired_solid_mass_kg", -1}, {"emitted_solid_mass_kg", 1}})), 0);
+  for (const char axis : {'x', 'y', 'z'}) {
+    const auto name = [&](const char* what) { return std::string(what) + "_" + axis + "_kg_m_per_s"; };
+    const std::vector<Booking> bookings{
+        {name("impulse"), 1}, {name("water_remap_momentum"), 1}, {name("retired_momentum"), -1}, {name("emitted_momentum"), 1}};
+    EXPECT_EQ(
+        drift((std::string("momentum_drift_") + axis).c_str(), closed_books(name("momentum"), bookings, ",solid_mass_kg,water_mass_kg")),
+        0);
+  }
+}
+
+TEST_F(ResultsOfARun, DriftAsFarAsTheyEverWereFromTheStart) {
+  const Results run = results("time_s,solid_mass_kg,retired_solid_mass_kg,emitted_solid_mass_kg\n0,2,0,0\n1,5,0,0\n2,3,0,0\n");
+  EXPECT_EQ(find_metric("solid_drift").of_run(run, {}), 1.5);
+}
+
+TEST_F(ResultsOfARun, TellWhatEveryColumnWasAtTheEndOrOnTheWay) {
+  const Results run = results(
+      "time_s,height_m,extent_x_m,extent_y_m,surface_m2,water_evaporated_kg,water_mass_kg,gas_mol,temperature_min_C,temperature_mean_C,"
+      "temperature_max_C,dissipated_J,retired_particles\n0,4,5,8,1,0,10,0,9,20,30,0,0\n1,7,1,1,2,1,9,1,3,25,95,2,1\n2,6,10,2,3,2,8,5,6,40,"
+      "50,11,7\n");
+  const std::vector<std::pair<const char*, double>> all{
+      {"height_gain", 1.5}, {"extent_x_gain", 2}, {"extent_y_gain", 0.25},   {"height", 6},           {"largest_height", 7},
+      {"surface", 3},       {"gas_made", 5},      {"water_lost_share", 0.2}, {"coldest", 6},          {"coldest_ever", 3},
+      {"hottest_ever", 95}, {"dissipated", 11},   {"mean_temperature", 40},  {"retired_particles", 7}};
+  for (const auto& [metric, value] : all) EXPECT_DOUBLE_EQ(find_metric(metric).of_run(run, {}), value) << metric;
 }
 
 TEST_F(ResultsOfARun, TellGainsAndWhatTheBooksDoNotExplain) {

@@ -290,6 +290,33 @@ TEST_F(NoMetric, LeadsByNothingBetweenOneParticleAndItself) {
   EXPECT_NE(m.problem.find("found one particle nearest to from_m and to_m, allowed: two"), std::string::npos) << m.problem;
 }
 
+TEST_F(NoMetric, SharesAVolumeThatIsNone) {
+  Body body;
+  for (FrameData& frame : body.frames) {
+    auto& volumes = std::get<std::vector<float>>(frame.columns[2].values);
+    std::fill(volumes.begin(), volumes.end(), 0.f);
+  }
+  const auto all = measured(body);
+  for (const char* name :
+       {"diameter", "height_over_diameter", "outflow", "share_in_box", "heated_share", "heating_window", "softened_share"})
+    EXPECT_FALSE(all.at(name).is_number()) << name << " = " << all.at(name).value;
+}
+
+TEST_F(NoMetric, TellsATwistOfPartsWithoutParticlesOffTheAxis) {
+  Body body;
+  for (FrameData& frame : body.frames)
+    for (const std::size_t particle : {20u, 21u}) frame.positions[3 * particle + 1] = frame.positions[3 * particle + 2] = 0;
+  EXPECT_FALSE(measured(body).at("twist_gradient").is_number());
+}
+
+TEST_F(NoMetric, ComparesAYieldStressWithNone) {
+  Body().written(folder_.path());
+  std::ofstream(folder_ / "run.json") << R"({"summary": {"state": "done"}, "scene": {"material": [{"name": "batter",
+    "initial_temperature_C": 5, "temperatures_C": [4, 20, 45, 120], "yield_stress_Pa": [0, 0, 0, 0]}]}})";
+  const Measurement m = measure(find_metric("softened_share"), Results(folder_.path()), place_for(find_metric("softened_share")));
+  EXPECT_NE(m.problem.find("found a yield stress of 0 Pa at the start, allowed: above 0"), std::string::npos) << m.problem;
+}
+
 TEST(TheLargerAndTheSmaller, OfNaNAndANumberIsNaN) {
   EXPECT_EQ(larger(1, 2), 2);
   EXPECT_EQ(larger(2, 1), 2);

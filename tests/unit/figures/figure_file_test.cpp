@@ -165,7 +165,7 @@ TEST_F(FigureFile, RefusesClaimsThatCannotBeMissed) {
             "figure.toml:38: claim.0.tolerance: found inf, allowed: a number of at least 0");
   EXPECT_EQ(
       error_of("metric = \"pieces\"\nof = \"torn\"\nexpected = 2\ntolerance = 0", "metric = \"two_pieces\"\nof = \"torn\"\nat_most = 1"),
-      "figure.toml:43: claim.1.at_most: found 1, allowed: below 1: no two_pieces is above it");
+      "figure.toml:44: claim.1.at_most: found 1, allowed: below 1: no two_pieces is above it");
   EXPECT_EQ(error_of("metric = \"pieces\"\nof = \"torn\"\nexpected = 2\ntolerance = 0",
                      "metric = \"two_pieces\"\nof = \"torn\"\nexpected = 0.5\ntolerance = 0.5"),
             "figure.toml:45: claim.1.tolerance: found 0.5, allowed: less: every two_pieces is within it");
@@ -202,6 +202,10 @@ TEST_F(FigureFile, RefersToWhatTheItemsFunctionGives) {
       "kind = \"analytic\"\nwhy = \"w\"\n";
   EXPECT_EQ(read(text, {{"curve"}, {{"distance"}}}).claims.size(), 1u);
   EXPECT_THROW(read(text, {{"curve"}, {{"distances"}}}), InputError);
+  const std::string of_another = message_of<InputError>([&] {
+    read(std::string(text).replace(text.find("at_most = 1"), 11, "greater_than = \"other\""), {{"curve"}, {{"distance"}}});
+  });
+  EXPECT_NE(of_another.find("claim.0.greater_than: needs `of`"), std::string::npos) << of_another;
   EXPECT_THROW(read(text, {{"curves"}, {{"distance"}}}), InputError);
 }
 
