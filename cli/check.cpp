@@ -77,8 +77,8 @@ Results results_of(const Figure& figure, const CheckArguments& arguments) {
 
 ClaimVerdict verdict_of(const Claim& claim, const Results& results) {
   const Metric& metric = find_metric(claim.metric);
-  const auto measure = [&](const Claim&, const std::string&) { return measure(metric, results, claim.place); };
-  return judge(claim, {metric.unit, metric.meaning}, measure).front();
+  const auto measured = [&](const Claim&, const std::string&) { return measure(metric, results, claim.place); };
+  return judge(claim, {metric.unit, metric.meaning}, measured).front();
 }
 
 int check(const Figure& figure, const Results& results) {
