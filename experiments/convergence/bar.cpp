@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "analysis/claims/finite.h"
+
 namespace bake::studies {
 
 namespace {
