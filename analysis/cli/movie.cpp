@@ -81,7 +81,7 @@ bool film_from(const fs::path& folder, std::size_t count, double rate, const fs:
                                   "mp4",
                                   "file:" + film.string() + ".part"});
   if (end.start_error != 0) return false;
-  if (end.exit_code != 0) throw std::runtime_error(fmt::format("ffmpeg failed; the pictures are in {}", quotable_path(folder)));
+  if (end.exit_code != 0) throw RunError(fmt::format("ffmpeg failed; the pictures are in {}", quotable_path(folder)));
   file.commit();
   return true;
 }

@@ -5,14 +5,15 @@
 #include <vtkOpenGLState.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
+
+#include "solver/core/errors.h"
 
 namespace bake {
 namespace {
 
 void require(bool success, const char* what) {
-  if (!success) throw std::runtime_error(std::string("cannot draw without a display: ") + what + " failed (is libegl-mesa0 installed?)");
+  if (!success) throw RunError(std::string("cannot draw without a display: ") + what + " failed (is libegl-mesa0 installed?)");
 }
 
 }  // namespace

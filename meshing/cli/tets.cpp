@@ -9,6 +9,7 @@
 #include "meshing/tets/feature_mesher.h"
 #include "meshing/tets/lattice_mesher.h"
 #include "meshing/tets/manifold.h"
+#include "solver/core/errors.h"
 #include "solver/io/progress.h"
 
 namespace bake::cli {
@@ -44,7 +45,7 @@ int tets(const TetsArguments& arguments) {
   meter.phase(fmt::format("looking at {} tetrahedra", mesh.tets.size()));
   const TetQuality quality = tet_quality(mesh);
   if (quality.odd_edges > 0)
-    throw std::runtime_error(fmt::format("the surface of the mesh is not closed at {} edges: nothing is written", quality.odd_edges));
+    throw RunError(fmt::format("the surface of the mesh is not closed at {} edges: nothing is written", quality.odd_edges));
   meter.clear();
   write_mesh(arguments.out, to_particles_mesh(mesh));
   fmt::print("{}: {} vertices ({} of them on the surface), {} tetrahedra, {:.6g} m^3, volumes of inner vertices spread by {:.1f} %\n",

@@ -18,7 +18,7 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The run cannot go on: names particle, quantity and step where it can. What was written before is kept.
+/// A run or another piece of work cannot go on: names particle, quantity and step, or what else failed. What was written before is kept.
 class RunError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

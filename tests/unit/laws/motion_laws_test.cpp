@@ -20,7 +20,7 @@ struct Nodes {
 template <class Real>
 struct OneParticle {
   using L = Law<Real>;
-  Scene scene = scene_of_everything("yield_stress_Pa = 1\n");
+  Scene scene = scene_of_everything("yield_stress_Pa = 1\n", "[leavening]\npores = \"open\"\n");
   Motion::Constants<Real> k{scene, scene.materials[0]};
   ParticleOfEverything<Real> p;
   Step<Real> step;
@@ -75,6 +75,16 @@ TYPED_TEST(MotionLaw, AParticleThatGetsBackItsOwnGradientOpensNoFurtherThanTheRo
       RC_ASSERT(law.volume() <= law.room * (1 + 8 * TestFixture::eps));
     }
   }));
+}
+
+TYPED_TEST(MotionLaw, APorousParticleWhosePoresHoldAVacuumOpensAsItsNodesSay) {
+  OneParticle<TypeParam> law;
+  law.scene = scene_of_everything("yield_stress_Pa = 1\n");
+  law.k = Motion::Constants<TypeParam>(law.scene, law.scene.materials[0]);
+  const double opening[9] = {10, 0, 0, 0, 10, 0, 0, 0, 10};
+  law.open(1, opening, 0.1);
+  EXPECT_NEAR(law.volume(), 8e-3, 8e-3 * 8 * TestFixture::eps);
+  EXPECT_GT(law.volume(), law.room);
 }
 
 TYPED_TEST(MotionLaw, AParticleThatFillsTheRoomOfItsNodesForgetsThatItOpenedAndNothingElse) {
