@@ -46,7 +46,7 @@ int list_scenes() {
 /// Prints number, name, status and subject of every item of the paper.
 int list_figures() {
   for (const Item& item : read_items(items_root(BAKE_SOURCE_DIR)).items)
-    fmt::print("{:<10} {:<17} {:<14} {}\n", item.number, item.name, word_of(item.status), item.shows);
+    fmt::print("{:<12} {:<17} {:<14} {}\n", item.number, item.name, word_of(item.status), item.shows);
   return k_success;
 }
 

@@ -220,7 +220,7 @@ TEST_F(AFigure, DrawsColumnsOfTheLedger) {
 
 TEST_F(AFigure, IsListedWithItsStatusAndItsRuns) {
   const Outcome figures = place.bake("list figures");
-  EXPECT_NE(figures.out.find("figure 1   dough             done"), std::string::npos) << figures.out;
+  EXPECT_NE(figures.out.find("figure 1     dough             done"), std::string::npos) << figures.out;
   EXPECT_NE(figures.out.find("not there yet"), std::string::npos) << figures.out;
   EXPECT_EQ(place.bake("list runs").out, "dough soft\ndough hard\n");
   EXPECT_EQ(place.bake("list").out.find("figure"), std::string::npos) << "a figure.toml is no scene";
