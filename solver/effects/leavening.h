@@ -66,12 +66,6 @@ struct Leavening : Effect {
   using Stored = FieldList<field::ProducedGas, field::Leavener>;
   using Totals = FieldList<total::Gas>;
 
-  /// Whether pores that are pulled wide hold a vacuum, which pulls back.
-  static bool holds_vacuum(const auto& scene) {
-    return std::find(scene.effects.begin(), scene.effects.end(), name) != scene.effects.end() &&
-           scene.settings.template get<Settings>().pores == Pores::closed;
-  }
-
   template <class Real>
   struct Constants {
     Real peak_rate, theta_r, inverse_width, total, n_0, nu_0, p_ref, scale;

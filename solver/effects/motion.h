@@ -2,6 +2,7 @@
 // Motion: momentum, the affine velocity field and the volume it carries along.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -57,6 +58,12 @@ struct Motion : Effect {
   using Totals = FieldList<total::Momentum, total::AngularMomentum, total::Kinetic>;
   using Bounds = FieldList<bound::SpeedSquared, bound::SoundSpeedSquared, bound::DeformationRateSquared>;
 
+  /// Whether pores that are pulled wide hold a vacuum, which pulls back.
+  static bool pores_hold_vacuum(const auto& scene) {
+    return std::find(scene.effects.begin(), scene.effects.end(), Leavening::name) != scene.effects.end() &&
+           scene.settings.template get<Leavening::Settings>().pores == Leavening::Pores::closed;
+  }
+
   template <class Real>
   struct Constants {
     Real affine, flip, inertia;
@@ -68,7 +75,7 @@ struct Motion : Effect {
       flip = settings.transfer == Transfer::flip ? static_cast<Real>(settings.flip_blend) : Real(0);
       inertia = static_cast<Real>(settings.inertia_scale);
       const double overlap = scene.grid.kernel == KernelOrder::quadratic ? 11. / 20 : 151. / 315;  // integral of N^2
-      room = Leavening::holds_vacuum(scene) ? static_cast<Real>(k_infinity) : static_cast<Real>(std::pow(scene.dx() / overlap, 3));
+      room = pores_hold_vacuum(scene) ? static_cast<Real>(k_infinity) : static_cast<Real>(std::pow(scene.dx() / overlap, 3));
     }
   };
 
