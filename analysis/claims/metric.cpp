@@ -35,6 +35,12 @@ Measurement measure(const Metric& metric, const Fracture& surface, const MetricP
   return measured(metric, metric.of_surface, surface, surface.file.string(), place);
 }
 
+bool is_in_box(const Vector3& point, const MetricPlace& at) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if ((at.low_m && point[axis] < (*at.low_m)[axis]) || (at.high_m && point[axis] > (*at.high_m)[axis])) return false;
+  return true;
+}
+
 const std::vector<Metric>& all_metrics() {
   static const std::vector<Metric> all = [] {
     std::vector<Metric> list = ledger_metrics();

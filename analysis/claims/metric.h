@@ -45,6 +45,9 @@ struct MetricPlace {
   }
 };
 
+/// Whether a point is in the box of the place, which has no end where no corner is given.
+bool is_in_box(const Vector3& point, const MetricPlace& at);
+
 /// A number that can be measured. Exactly one of the two functions exists; it takes a run or a surface, and returns what is not finite or
 /// throws NoNumber where there is no number: call it by `measure`.
 struct Metric {

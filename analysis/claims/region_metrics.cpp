@@ -8,22 +8,19 @@
 #include "analysis/claims/finite.h"
 #include "analysis/claims/metric.h"
 #include "analysis/claims/volume_share.h"
+#include "solver/core/curve.h"
 
 namespace bake {
 namespace {
 
-bool is_in_box(const std::vector<float>& positions, std::size_t row, const MetricPlace& at) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto x = static_cast<double>(positions[3 * row + axis]);
-    if (x < (*at.low_m)[axis] || x > (*at.high_m)[axis]) return false;
-  }
-  return true;
+Vector3 position_of(const std::vector<float>& positions, std::size_t row) {
+  return {positions[3 * row], positions[3 * row + 1], positions[3 * row + 2]};
 }
 
 double share_in_box(const Results& run, const MetricPlace& at) {
   const CheckedFrame frame = run.frame(run.frame_at(at.time_s));
   const auto positions = frame.positions();
-  return volume_share(frame, [&](std::size_t row) { return is_in_box(positions, row, at); });
+  return volume_share(frame, [&](std::size_t row) { return is_in_box(position_of(positions, row), at); });
 }
 
 /// For each particle of `now` whether it started in the box; what was poured later did not.
@@ -36,7 +33,7 @@ std::vector<bool> started_in_box(const CheckedFrame& start, const CheckedFrame& 
   inside.reserve(ids.size());
   for (const std::int64_t id : ids) {
     const std::int64_t row = rows[static_cast<std::size_t>(id)];
-    inside.push_back(row >= 0 && is_in_box(positions, static_cast<std::size_t>(row), at));
+    inside.push_back(row >= 0 && is_in_box(position_of(positions, static_cast<std::size_t>(row)), at));
   }
   return inside;
 }
@@ -80,25 +77,21 @@ class RelativeYieldStress {
  public:
   RelativeYieldStress(const nlohmann::json& material, const std::filesystem::path& run) {
     try {
-      theta_ = material.at("temperatures_C").get<std::array<double, 4>>();
-      tau_y_ = material.at("yield_stress_Pa").get<std::array<double, 4>>();
-      at_start_ = curve(material.at("initial_temperature_C").get<double>());
+      const auto theta = material.at("temperatures_C").get<std::array<double, 4>>();
+      const auto tau_y = material.at("yield_stress_Pa").get<std::array<double, 4>>();
+      for (std::size_t i = 0; i < 4; ++i) curve_.points.push_back({theta[i], tau_y[i]});
+      at_start_ = curve_(material.at("initial_temperature_C").get<double>());
     } catch (const nlohmann::json::exception&) {
       throw InputError(fmt::format("{}: found a material without yield stress, allowed: a run with plasticity", run.string()));
     }
     if (!(at_start_ > 0))
       throw NoNumber(fmt::format("{}: found a yield stress of {} Pa at the start, allowed: above 0", run.string(), at_start_));
   }
-  double operator()(double theta, double peak) const { return curve(peak >= theta_[3] ? theta_[3] : theta) / at_start_; }
+  /// Frozen once it has passed the last temperature.
+  double operator()(double theta, double peak) const { return curve_(peak >= curve_.points.back().at ? peak : theta) / at_start_; }
 
  private:
-  double curve(double theta) const {
-    double value = tau_y_[0];
-    for (std::size_t i = 0; i < 3; ++i)
-      value += (tau_y_[i + 1] - tau_y_[i]) * std::clamp((theta - theta_[i]) / (theta_[i + 1] - theta_[i]), 0.0, 1.0);
-    return value;
-  }
-  std::array<double, 4> theta_{}, tau_y_{};
+  Curve curve_;
   double at_start_ = 0;
 };
 

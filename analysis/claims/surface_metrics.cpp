@@ -21,17 +21,10 @@ double crack_length(const Fracture& fracture, const MetricPlace& at) {
   return sum;
 }
 
-/// Whether the point is in the box of the place; the box has no end where none is given.
-bool inside(const Vector3& point, const MetricPlace& at) {
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if ((at.low_m && point[axis] < (*at.low_m)[axis]) || (at.high_m && point[axis] > (*at.high_m)[axis])) return false;
-  return true;
-}
-
 double crack_area(const Fracture& fracture, const MetricPlace& at) {
   double within = 0;
   for (const Fracture::Crack& crack : fracture.at(at.time_s).cracks)
-    if (inside(crack.centre_m, at)) within += crack.area_m2;
+    if (is_in_box(crack.centre_m, at)) within += crack.area_m2;
   return within;
 }
 
