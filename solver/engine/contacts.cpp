@@ -111,10 +111,11 @@ bool Contacts::reaches(const Present& p, const BlockIndex& block, double reach) 
   return p.contact->scripted.distance(p.pose, middle) <= 0.87 * side + reach;
 }
 
-bool Contacts::reaches(const Present& p, const Point& x, double reach) {
+std::optional<double> Contacts::distance_within(const Present& p, const Point& x, double reach) {
   for (std::size_t d = 0; d < 3; ++d)  // first what costs little
-    if (x[d] > p.bounds.high[d] + reach || x[d] < p.bounds.low[d] - reach) return false;
-  return p.contact->scripted.distance(p.pose, x) <= reach;
+    if (x[d] > p.bounds.high[d] + reach || x[d] < p.bounds.low[d] - reach) return std::nullopt;
+  const double distance = p.contact->scripted.distance(p.pose, x);
+  return distance <= reach ? std::optional(distance) : std::nullopt;
 }
 
 Vector3 Contacts::velocity_beside(const Present& p, const Point& x, const Vector3& v, const Vector3& line) {
@@ -139,8 +140,9 @@ bool Contacts::push_out(Point& x, Vector3& v) const {
   return inside;
 }
 
-std::optional<Vector3> Contacts::line(const Present& p, const Point& x, const NodesAround& around) const {
-  const double dx = geometry_.dx();
+std::optional<Vector3> Contacts::line(const Present& p, const Point& x, double d_0, const NodesAround& around) const {
+  const double dx = geometry_.dx(), d = d_0 / dx;
+  if (d < -2) return std::nullopt;
   const Vector3 n = p.contact->scripted.normal(p.pose, x);
   std::size_t axis = 0;
   for (std::size_t d = 1; d < 3; ++d)
@@ -155,16 +157,15 @@ std::optional<Vector3> Contacts::line(const Present& p, const Point& x, const No
   const auto node = [&](int steps) { return around.at(static_cast<int>(axis), steps * outward); };
   constexpr int k_furthest = 6;  // from -2 dx, at |n| = 1 / sqrt(3)
   int k = 0;
-  double d_k = distance(0);
-  const double d = d_k;
-  if (d < -2) return std::nullopt;
-  while (d_k < 1 - 1e-6 && k < k_furthest) d_k = distance(++k);
+  double distances[k_furthest + 1] = {d};  // of the nodes from this one to k
+  while (distances[k] < 1 - 1e-6 && k < k_furthest) ++k, distances[k] = distance(k);
+  const double d_k = distances[k];
   const NodeState free = node(k);
   if (d_k < 1 - 1e-6 || !(free.mass > 0)) return std::nullopt;
   // what dough would leave of the column if it filled it, less what there is, in units of the mass of node k
   double gap = 0, last = d_k;
   for (int j = k - 1; k - j <= k_furthest; --j) {
-    const double d_j = distance(j);
+    const double d_j = j >= 0 ? distances[j] : distance(j);
     if (d_j >= last || d_j < -1.5) break;
     gap += 1 - beyond(d_j) - node(j).mass / free.mass * (1 - beyond(d_k));
     last = d_j;
@@ -177,10 +178,11 @@ std::optional<Vector3> Contacts::line(const Present& p, const Point& x, const No
 Vector3 Contacts::velocity_after(const Point& x, Vector3 v, const NodesAround* around) const {
   for (const Present& p : present_) {
     const bool between_nodes = around && p.contact->rule != Rule::grip && !p.contact->expels;
-    if (!reaches(p, x, between_nodes ? (1 - 1e-6) * geometry_.dx() : touching())) continue;
-    if (const auto on_line = between_nodes ? line(p, x, *around) : std::nullopt)
+    const auto d = distance_within(p, x, between_nodes ? (1 - 1e-6) * geometry_.dx() : touching());
+    if (!d) continue;
+    if (const auto on_line = between_nodes ? line(p, x, *d, *around) : std::nullopt)
       v = velocity_beside(p, x, v, *on_line);
-    else if (reaches(p, x, touching()))
+    else if (*d <= touching())
       v = velocity_beside(p, x, v);
   }
   for (const DomainFace& f : faces_) {
@@ -195,10 +197,11 @@ Vector3 Contacts::velocity_after(const Point& x, Vector3 v, const NodesAround* a
 
 std::optional<ContactHeat> Contacts::covering(const Point& x, const std::optional<Vector3>& n, double reach) const {
   for (const Present& p : present_) {
-    if (p.contact->rule == Rule::grip || !reaches(p, x, reach)) continue;
+    const auto d = p.contact->rule == Rule::grip ? std::nullopt : distance_within(p, x, reach);
+    if (!d) continue;
     if (n) {
-      const auto distance = [&](const Point& y) { return p.contact->scripted.distance(p.pose, y); };
-      const bool ahead = distance(x) - distance(x + reach * *n) >= reach / 2 || dot(p.contact->scripted.normal(p.pose, x), *n) <= -0.5;
+      const bool ahead =
+          *d - p.contact->scripted.distance(p.pose, x + reach * *n) >= reach / 2 || dot(p.contact->scripted.normal(p.pose, x), *n) <= -0.5;
       if (!ahead) continue;  // the surface looks elsewhere
     }
     if (!p.contact->temperature) return ContactHeat{};
@@ -210,8 +213,9 @@ std::optional<ContactHeat> Contacts::covering(const Point& x, const std::optiona
 double Contacts::room(const Point& x) const {
   double room = 1;
   for (const Present& p : present_) {
-    if (p.contact->rule == Rule::grip || !reaches(p, x, 2.5 * geometry_.dx())) continue;
-    const double d = p.contact->scripted.distance(p.pose, x) / geometry_.dx();
+    const auto distance = p.contact->rule == Rule::grip ? std::nullopt : distance_within(p, x, 2.5 * geometry_.dx());
+    if (!distance) continue;
+    const double d = *distance / geometry_.dx();
     room *= 1 - (beyond(d - 1) + 2 * beyond(d) + beyond(d + 1)) / 4;
   }
   return room;
@@ -220,9 +224,9 @@ double Contacts::room(const Point& x) const {
 std::optional<HeldNear> Contacts::held_near(const Point& x, double reach) const {
   std::optional<HeldNear> nearest;
   for (const Present& p : present_) {
-    if (p.contact->rule != Rule::grip || !p.contact->temperature || !reaches(p, x, reach + touching())) continue;
-    const double distance = p.contact->scripted.distance(p.pose, x);
-    if (!nearest || distance < nearest->distance) nearest = {p.temperature, distance};
+    if (p.contact->rule != Rule::grip || !p.contact->temperature) continue;
+    const auto distance = distance_within(p, x, reach + touching());
+    if (distance && (!nearest || *distance < nearest->distance)) nearest = {p.temperature, *distance};
   }
   return nearest;
 }

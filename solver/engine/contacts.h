@@ -97,12 +97,12 @@ class Contacts final : public Obstacles {
     double temperature;
   };
   bool reaches(const Present& present, const BlockIndex& block, double reach) const;
-  /// Is `x` in it, or no further away than `reach`?
-  static bool reaches(const Present& present, const Point& x, double reach);
+  /// Distance of `x` from it, negative inside; none if that is more than `reach`.
+  static std::optional<double> distance_within(const Present& present, const Point& x, double reach);
   /// `line`: the velocity relative to the solid that dough has there which touches it.
   static Vector3 velocity_beside(const Present& present, const Point& x, const Vector3& v, const Vector3& line = {0, 0, 0});
-  /// That line at a node, none if no dough touches the collider there.
-  std::optional<Vector3> line(const Present& present, const Point& x, const NodesAround& around) const;
+  /// That line at a node at the distance `d_0` [m], none if no dough touches the collider there.
+  std::optional<Vector3> line(const Present& present, const Point& x, double d_0, const NodesAround& around) const;
   /// A node this close to a solid is in it: faces are often drawn through nodes, whose positions are rounded [m].
   double touching() const { return 1e-6 * geometry_.dx(); }
 
