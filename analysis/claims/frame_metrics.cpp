@@ -13,10 +13,6 @@
 namespace bake {
 namespace {
 
-Vector3 position(const std::vector<float>& positions, std::size_t row) {
-  return {positions[3 * row], positions[3 * row + 1], positions[3 * row + 2]};
-}
-
 double distance(const Vector3& a, const Vector3& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 /// The particle that started nearest to `point`.
@@ -83,15 +79,10 @@ double time_to_reach(const Results& run, const MetricPlace& at) {
 /// The share of its water that each particle has lost since the start.
 std::vector<double> dryness(const CheckedFrame& start, const CheckedFrame& now) {
   const auto before = start.column("water_mass"), after = now.column("water_mass");
-  const auto ids = now.identities();
-  const auto last = std::max_element(ids.begin(), ids.end());
-  const auto rows = start.rows_by_identity(0, last == ids.end() ? 0 : static_cast<std::size_t>(*last) + 1);
   std::vector<double> dry;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    const std::int64_t row = rows[static_cast<std::size_t>(ids[i])];
-    if (row < 0) throw InputError(fmt::format("found particle {}, which was not there at the start, allowed: bodies alone", ids[i]));
-    const auto had = static_cast<double>(before[static_cast<std::size_t>(row)]);
-    dry.push_back(had > 0 ? 1 - static_cast<double>(after[i]) / had : 0);
+  for (const std::size_t row : rows_at_start(start, now)) {
+    const auto had = static_cast<double>(before[row]);
+    dry.push_back(had > 0 ? 1 - static_cast<double>(after[dry.size()]) / had : 0);
   }
   return dry;
 }

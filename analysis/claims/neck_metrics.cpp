@@ -76,15 +76,11 @@ struct Turn {
 /// The turn of each part of the body at the start. Throws InputError for a particle that was not there.
 std::vector<Turn> turns_of(const CheckedFrame& start, const CheckedFrame& now) {
   const auto before = start.positions(), after = now.positions();
-  const auto ids = now.identities();
   const auto [low, high] = ends_of(start, before);
-  const auto last = std::max_element(ids.begin(), ids.end());
-  const auto rows = start.rows_by_identity(0, last == ids.end() ? 0 : static_cast<std::size_t>(*last) + 1);
+  const auto rows = rows_at_start(start, now);
   std::vector<Turn> turns(k_parts);
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    const std::int64_t row = rows[static_cast<std::size_t>(ids[i])];
-    if (row < 0) throw InputError(fmt::format("found particle {}, which was not there at the start, allowed: bodies alone", ids[i]));
-    const float* place = &before[3 * static_cast<std::size_t>(row)];
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const float* place = &before[3 * rows[i]];
     const double share = (static_cast<double>(place[0]) - low) / (high - low);
     turns[std::min(k_parts - 1, static_cast<std::size_t>(share * k_parts))].add(place, &after[3 * i]);
   }

@@ -13,28 +13,18 @@
 namespace bake {
 namespace {
 
-Vector3 position_of(const std::vector<float>& positions, std::size_t row) {
-  return {positions[3 * row], positions[3 * row + 1], positions[3 * row + 2]};
-}
-
 double share_in_box(const Results& run, const MetricPlace& at) {
   const CheckedFrame frame = run.frame(run.frame_at(at.time_s));
   const auto positions = frame.positions();
-  return volume_share(frame, [&](std::size_t row) { return is_in_box(position_of(positions, row), at); });
+  return volume_share(frame, [&](std::size_t row) { return is_in_box(position(positions, row), at); });
 }
 
 /// For each particle of `now` whether it started in the box; what was poured later did not.
 std::vector<bool> started_in_box(const CheckedFrame& start, const CheckedFrame& now, const MetricPlace& at) {
-  const auto ids = now.identities();
-  const auto last = std::max_element(ids.begin(), ids.end());
-  const auto rows = start.rows_by_identity(0, last == ids.end() ? 0 : static_cast<std::size_t>(*last) + 1);
   const auto positions = start.positions();
   std::vector<bool> inside;
-  inside.reserve(ids.size());
-  for (const std::int64_t id : ids) {
-    const std::int64_t row = rows[static_cast<std::size_t>(id)];
-    inside.push_back(row >= 0 && is_in_box(position_of(positions, static_cast<std::size_t>(row)), at));
-  }
+  for (const std::int64_t row : rows_in(start, now))
+    inside.push_back(row >= 0 && is_in_box(position(positions, static_cast<std::size_t>(row)), at));
   return inside;
 }
 

@@ -34,6 +34,22 @@ const std::vector<float>& all_finite(const std::vector<float>& values, std::size
 
 }  // namespace
 
+std::vector<std::int64_t> rows_in(const CheckedFrame& start, const CheckedFrame& now) {
+  std::vector<std::int64_t> ids = now.identities();
+  const auto last = std::max_element(ids.begin(), ids.end());
+  const auto rows = start.rows_by_identity(0, last == ids.end() ? 0 : static_cast<std::size_t>(*last) + 1);
+  for (std::int64_t& id : ids) id = rows[static_cast<std::size_t>(id)];
+  return ids;
+}
+
+std::vector<std::size_t> rows_at_start(const CheckedFrame& start, const CheckedFrame& now) {
+  const auto found = rows_in(start, now);
+  if (const auto missing = std::find(found.begin(), found.end(), -1); missing != found.end())
+    throw InputError(fmt::format("found particle {}, which was not there at the start, allowed: bodies alone",
+                                 now.identities()[static_cast<std::size_t>(missing - found.begin())]));
+  return {found.begin(), found.end()};
+}
+
 std::vector<float> CheckedFrame::positions() const { return all_finite(reader_.positions(), 3, path_, "position"); }
 
 std::vector<float> CheckedFrame::column(const std::string& name) const { return all_finite(reader_.column(name), 1, path_, name); }

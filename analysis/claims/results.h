@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "solver/core/vector3.h"
 #include "solver/io/frames.h"
 #include "solver/io/ledger_file.h"
 
@@ -33,6 +34,16 @@ class CheckedFrame {
   std::filesystem::path path_;
   FrameReader reader_;
 };
+
+/// The place of the particle in a row of CheckedFrame::positions.
+inline Vector3 position(const std::vector<float>& positions, std::size_t row) {
+  return {positions[3 * row], positions[3 * row + 1], positions[3 * row + 2]};
+}
+
+/// For each particle of `now` its row in `start`; -1 for those that were not there.
+std::vector<std::int64_t> rows_in(const CheckedFrame& start, const CheckedFrame& now);
+/// The same where nothing was poured. Throws InputError for a particle that was not there at the start.
+std::vector<std::size_t> rows_at_start(const CheckedFrame& start, const CheckedFrame& now);
 
 /// The results of a run that is done.
 class Results {

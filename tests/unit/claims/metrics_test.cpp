@@ -6,49 +6,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "analysis/claims/metric.h"
 #include "solver/core/errors.h"
-#include "solver/io/frames.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/unit/claims/written_run.h"
 
 namespace bake {
 namespace {
 
-/// Particle i of a frame: where, how hot now and ever, how large, how wet.
-struct Dot {
-  std::int64_t id;
-  Vector3 at;
-  float temperature = 20, peak = 20, volume = 1, water = 1;
-};
-
-class FrameMetrics : public testing::Test {
+class FrameMetrics : public WrittenRun {
  protected:
-  FrameMetrics() {
-    std::filesystem::create_directories(folder_ / "frames");
-    std::ofstream(folder_ / "run.json") << R"({"summary": {"state": "done"}})";
-    std::ofstream(folder_ / "ledger.csv") << "time_s,surface_m2\n0,1\n1,2\n2,2\n";
-  }
-  void frame(int number, const std::vector<Dot>& dots) const {
-    std::vector<float> places, temperature, peak, volume, water;
-    std::vector<std::int64_t> ids;
-    for (const Dot& dot : dots) {
-      for (const double x : dot.at) places.push_back(static_cast<float>(x));
-      temperature.push_back(dot.temperature);
-      peak.push_back(dot.peak);
-      volume.push_back(dot.volume);
-      water.push_back(dot.water);
-      ids.push_back(dot.id);
-    }
-    write_frame(folder_ / "frames" / frame_name(number), number,
-                {places,
-                 {{"temperature", "C", temperature},
-                  {"peak_temperature", "C", peak},
-                  {"volume", "m^3", volume},
-                  {"water_mass", "kg", water},
-                  {"id", "1", ids}}});
-  }
-  double measure(const char* metric, const MetricPlace& place) const { return find_metric(metric).of_run(Results(folder_.path()), place); }
-  const TemporaryFolder folder_;
+  FrameMetrics() : WrittenRun(R"({"summary": {"state": "done"}})", "time_s,surface_m2\n0,1\n1,2\n2,2\n") {}
 };
 
 MetricPlace between(const Vector3& from, const Vector3& to) {

@@ -3,54 +3,21 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
-#include "analysis/claims/metric.h"
 #include "solver/core/errors.h"
-#include "solver/io/frames.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/unit/claims/written_run.h"
 
 namespace bake {
 namespace {
 
-struct Grain {
-  std::int64_t id;
-  Vector3 at;
-  float temperature = 20, peak = 20, volume = 1;
-  std::int64_t material = 0;
-};
-
-class RegionMetrics : public testing::Test {
+class RegionMetrics : public WrittenRun {
  protected:
-  RegionMetrics() {
-    std::filesystem::create_directories(folder_ / "frames");
-    std::ofstream(folder_ / "run.json") << R"({"summary": {"state": "done"}, "scene": {"material": [
+  RegionMetrics()
+      : WrittenRun(R"({"summary": {"state": "done"}, "scene": {"material": [
       {"name": "batter", "initial_temperature_C": 5, "temperatures_C": [4, 20, 45, 80], "yield_stress_Pa": [2, 2, 2, 2000]},
       {"name": "chocolate", "initial_temperature_C": 12, "temperatures_C": [4, 20, 30, 70], "yield_stress_Pa": [3000, 1000, 100, 4000]},
-      {"name": "water"}]}})";
-    std::ofstream(folder_ / "ledger.csv") << "time_s\n0\n1\n2\n4\n";
-  }
-  void frame(int number, const std::vector<Grain>& grains) const {
-    std::vector<float> places, temperature, peak, volume;
-    std::vector<std::int64_t> ids, material;
-    for (const Grain& grain : grains) {
-      for (const double x : grain.at) places.push_back(static_cast<float>(x));
-      temperature.push_back(grain.temperature);
-      peak.push_back(grain.peak);
-      volume.push_back(grain.volume);
-      ids.push_back(grain.id);
-      material.push_back(grain.material);
-    }
-    write_frame(folder_ / "frames" / frame_name(number), number,
-                {places,
-                 {{"temperature", "C", temperature},
-                  {"peak_temperature", "C", peak},
-                  {"volume", "m^3", volume},
-                  {"material", "1", material},
-                  {"id", "1", ids}}});
-  }
-  double measure(const char* metric, const MetricPlace& place) const { return find_metric(metric).of_run(Results(folder_.path()), place); }
-  const TemporaryFolder folder_;
+      {"name": "water"}]}})",
+                   "time_s\n0\n1\n2\n4\n") {}
 };
 
 MetricPlace unit_box() {
@@ -92,7 +59,7 @@ TEST_F(RegionMetrics, FindTheShareThatWasHotOfWhatStartedInABox) {
 
 TEST_F(RegionMetrics, FindHowLongSettingTakesBesideTheTimeUntilItBegins) {
   const auto hot_ones = [](int count) {
-    std::vector<Grain> grains;
+    std::vector<Dot> grains;
     for (int i = 0; i < 10; ++i) grains.push_back({i, {0, 0, 0.1 * i}, 20, i < count ? 70.f : 20.f});
     return grains;
   };
@@ -107,11 +74,11 @@ TEST_F(RegionMetrics, FindHowLongSettingTakesBesideTheTimeUntilItBegins) {
 TEST_F(RegionMetrics, FindWhatHasMeltedOfOneMaterial) {
   // chocolate starts at 12 C with 2000 Pa, halfway from 3000 to 1000: a tenth of that is 200 Pa, at 28.9 C and from there to 31 C
   frame(0, {{1, {0, 0, 0}}});
-  frame(3, {{1, {0, 0, 0}, 30, 30, 1, 1},     // 100 Pa
-            {2, {0, 0, 0}, 28, 28, 2, 1},     // 280 Pa
-            {3, {0, 0, 0}, 30, 75, 4, 1},     // 4000 Pa for ever: it has been above theta_4
-            {4, {0, 0, 0}, 10, 69, 8, 1},     // 2250 Pa: hot below theta_4 it was, and it is cold again
-            {5, {0, 0, 0}, 30, 30, 64, 0}});  // batter
+  frame(3, {{1, {0, 0, 0}, 30, 30, 1, 1, 1},     // 100 Pa
+            {2, {0, 0, 0}, 28, 28, 2, 1, 1},     // 280 Pa
+            {3, {0, 0, 0}, 30, 75, 4, 1, 1},     // 4000 Pa for ever: it has been above theta_4
+            {4, {0, 0, 0}, 10, 69, 8, 1, 1},     // 2250 Pa: hot below theta_4 it was, and it is cold again
+            {5, {0, 0, 0}, 30, 30, 64, 1, 0}});  // batter
   MetricPlace place;
   place.material = std::string("chocolate");
   place.softened_to = 0.1;
