@@ -56,6 +56,9 @@ textbook::Material plain(const Material& m) {
   out.alpha_s = heat.specific_heat_J_per_kgK;
   out.kappa = heat.conductivity_W_per_mK;
   out.alpha_l = heat.expansion_per_K;
+  out.transition_heat = heat.transition_heat_J_per_kg;
+  out.transition_from = heat.transition_from_C;
+  out.transition_to = heat.transition_to_C;
   const auto& water = of<Water>(m);
   out.rho_w = water.water_density_kg_per_m3;
   out.K = water.diffusivity_m2_per_sK;
