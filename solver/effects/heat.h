@@ -259,8 +259,10 @@ struct Heat : Effect {
     }
   }
 
+  /// While dough melts, the temperature gradient is that of nodes which have risen by the sensible step and particles which have not: what
+  /// is between them is -dt times the eigenvalue as large as a step before, which must be below 1, and not 2 as without latent heat.
   BAKE_INLINE static void bounds(auto& p, const auto& k, const auto&, auto& report) {
-    report.bound(bound::heat_diffusivity, k.kappa * p.volume() / capacity(p, k));
+    report.bound(bound::heat_diffusivity, (k.latent > 0 ? 2 : 1) * k.kappa * p.volume() / capacity(p, k));
   }
 
   /// Forward Euler: dt < 2 / eigenvalue. With particles everywhere the largest eigenvalue of the moment form is 1.94 D / dx^2 (quadratic)

@@ -139,7 +139,7 @@ TEST_F(FigureFile, RefusesChartsOfOneMetricAgainstNone) {
   text.replace(text.find(over_time), over_time.size(), "metric = \"height\"\nagainst = \"diameter\"");
   EXPECT_EQ(read(text).charts[1].against, "diameter");
   EXPECT_EQ(error_of("column = \"volume_m3\"", "column = \"volume_m3\"\nagainst = \"diameter\""),
-            "figure.toml:24: chart.0.against: needs a metric beside it");
+            "figure.toml:25: chart.0.against: needs a metric beside it");
   EXPECT_EQ(error_of(over_time, "metric = \"height\"\nagainst = \"diametre\""),
             "figure.toml:30: chart.1.against: unknown metric of a run 'diametre'; did you mean 'diameter'?");
   EXPECT_EQ(error_of(over_time, "metric = \"height\"\nagainst = \"diameter\"\ntime_s = 1"),
