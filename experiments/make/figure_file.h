@@ -30,7 +30,7 @@ struct FigureSurface {
   std::string run;
   double reference_time_s = 0;
   std::vector<double> times_s;
-  std::optional<double> stretch, smallest_gap_m;
+  std::optional<double> stretch, smallest_gap_m, void_ratio;
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"name", &FigureSurface::name, "", any_number, "what claims and pictures call it", Presence::required},
@@ -41,7 +41,10 @@ struct FigureSurface {
         Parameter{"stretch", &FigureSurface::stretch, "1", Range{1, k_infinity, true, true, "a number above 1"},
                   "an edge breaks beyond this many times its reference length; as in bake-mesh unless given"},
         Parameter{"smallest_gap_m", &FigureSurface::smallest_gap_m, "m", non_negative,
-                  "an edge breaks only if it has also grown by this length; as in bake-mesh unless given"},
+                  "an edge breaks only if it is also longer than this; as in bake-mesh unless given"},
+        Parameter{
+            "void_ratio", &FigureSurface::void_ratio, "1", Range{1, k_infinity, true, true, "a number above 1"},
+            "an edge breaks only if also the tetrahedra around it hold this many times the volume of their dough; not asked unless given"},
     };
   }
 };
