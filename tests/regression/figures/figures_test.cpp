@@ -121,6 +121,12 @@ TEST(Figure4, ACakeFlowsOutOfItsCentreAndOneThatBakedLongerDoesNot) {
   check_pictures(figure, "fig04_lava_cake");
 }
 
+TEST(Figure11, BatterIsPouredCooksFromBelowAndIsFlippedInOnePiece) {
+  const Made figure(11, "pancake");
+  check_claims(figure, {}, 14);
+  check_pictures(figure, "fig11_pancake");
+}
+
 TEST(Figure15, LoavesExpandAndSlitsOpenButTheTopDoesNotCrack) {
   const Made figure(15, "bread");
   check_claims(figure, {"crack_share"}, 6);  // should it hold one day, this line and the README are to be mended
