@@ -61,12 +61,18 @@ const std::vector<std::string> k_laws = {"/file",
                                          "/material/0/evaporation",
                                          "/material/0/pressure_Pa",
                                          "/material/0/production",
+                                         "/material/0/leavener",
                                          "/material/0/peak_temperature_C",
                                          "/material/0/temperature_width_K"};
 
 TEST(ShippedScene, MeltingCookieIsQuarterCookieButForItsLawsAndInertia) {
   EXPECT_EQ(outside(difference("fig03_cookies/quarter_cookie", "fig17_cookies_compared/quarter_melting_cookie"), k_laws),
             (std::set<std::string>{"/motion/inertia_scale"}));
+}
+
+TEST(ShippedScene, MeltingBatterIsPancakeButForItsLawsAndTheToss) {
+  const auto keys = outside(difference("fig11_pancake/pancake", "fig19_pancake_compared/melting_batter"), k_laws);
+  EXPECT_EQ(outside(keys, {"/collider/0/motion", "/collider/0/pivot_m"}), (std::set<std::string>{"/run/end_s"}));
 }
 
 }  // namespace
