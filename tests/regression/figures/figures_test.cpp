@@ -147,7 +147,7 @@ TEST(Figure16, LoafIsTornInTwo) {
 
 TEST(Figure17, CookiesAreDomedAndThoseThatMeltAndSetAreFlat) {
   const Made figure(17, "cookies_compared");
-  check_claims(figure, {}, 36);
+  check_claims(figure, {}, 38);
   check_pictures(figure, "fig17_cookies_compared");
 }
 
