@@ -9,6 +9,9 @@ namespace bake::studies {
 /// A slab from 0 to 1 at temperature 0 whose faces are held at 1 (x = 0) and 0 (x = 1): theta at x after `fourier` = D t / L^2.
 double held_slab_temperature(double x, double fourier);
 
+/// Root n = 0, 1, ... of z tan z = Bi, between n pi and (n + 1/2) pi: a slab that cools at both faces.
+double cooling_root(int n, double biot);
+
 /// Barenblatt's source of water, s_t = (s s_x)_x, in a bar from the time when its front stands at 0.15 m from the middle until it
 /// stands at 0.3 m.
 namespace source {

@@ -28,6 +28,7 @@ TEST(Slab, WarmsBetweenHeldFacesAsItsSeriesSays) {
 }
 
 TEST(Slab, CoolsInAirAsItsSeriesSays) { expect_held(robin); }
+TEST(Slab, LiesBetweenAHotAndAColdColliderAsOneModeSays) { expect_held(plates); }
 TEST(Square, WarmsBetweenHeldSidesAsItsSeriesSays) { expect_held(square); }
 TEST(BothEulers, AreOfFirstOrderInTime) { expect_held(eulers); }
 
