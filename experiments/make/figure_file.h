@@ -75,12 +75,14 @@ struct FigurePicture {
   }
 };
 
-/// [[chart]]: a column of the ledger or a metric over time, or, if only a name is given, a chart that the item's function computes.
+/// [[chart]]: a column of the ledger or a metric over time, one metric at the end against another, or, if only a name is given, a chart
+/// that the item's function computes.
 struct FigureChart {
   std::string name;
   std::string shows;
   std::string column;
   std::string metric;
+  std::string against;
   MetricPlace place;  ///< its keys stand directly in [[chart]]
   std::string label;
   std::vector<std::string> of;
@@ -92,6 +94,8 @@ struct FigureChart {
         Parameter{"column", &FigureChart::column, "", any_number, "column of the ledger, drawn over time"},
         Parameter{"metric", &FigureChart::metric, "", any_number,
                   "or a metric of runs that has a time, drawn over time; what it needs stands beside it"},
+        Parameter{"against", &FigureChart::against, "", any_number,
+                  "a second metric of runs: each run is then one point, the first upright, both at its end; for scans"},
         Parameter{"label", &FigureChart::label, "", any_number, "beside the upright axis; the name of column or metric unless given"},
         Parameter{"of", &FigureChart::of, "", any_number, "the runs, one line each"},
     };
