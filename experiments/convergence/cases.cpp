@@ -38,6 +38,7 @@ const std::vector<ConvergenceCase>& all_cases() {
       {"closed_pores", "pores heated at fixed volume: p theta_0K = p_ref (theta_K - theta_0K)", closed_pores},
       {"perzyna", "a viscoplastic bar that is pressed at constant speed, in both norms", perzyna},
       {"wrinkles", "a stiff film on deep soft ground that is compressed: wavelength and onset of its wrinkles", wrinkles},
+      {"skin", "a skin on deep soft ground that is compressed: wavelength and onset of its wrinkles", wrinkles_of_skin},
   };
   return cases;
 }

@@ -47,5 +47,6 @@ std::vector<Errors> open_pores(bool quick);
 std::vector<Errors> closed_pores(bool quick);
 std::vector<Errors> perzyna(bool quick);
 std::vector<Errors> wrinkles(bool quick);
+std::vector<Errors> wrinkles_of_skin(bool quick);
 
 }  // namespace bake::studies
