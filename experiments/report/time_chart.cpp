@@ -151,7 +151,7 @@ std::vector<double> round_numbers(double low, double high) {
   for (const double s : {5.0, 2.5, 2.0, 1.0})
     if (s * power >= rough) step = s * power;
   std::vector<double> numbers;
-  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) numbers.push_back(k * step);
+  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) numbers.push_back(k * step + 0.0);  // never -0
   return numbers;
 }
 

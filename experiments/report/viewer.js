@@ -52,9 +52,12 @@ function unpackMesh(bytes, frame, fieldCount) {
 function normalsOf(p, index) {
   const sums = new Float32Array(p.length), normals = new Int8Array(p.length);
   for (let t = 0; t < index.length; t += 3) {
-    const [a, b, c] = [4 * index[t], 4 * index[t + 1], 4 * index[t + 2]];
-    const u = [0, 1, 2].map(k => p[b + k] - p[a + k]), v = [0, 1, 2].map(k => p[c + k] - p[a + k]), n = cross(u, v);
-    for (const corner of [a, b, c]) for (let k = 0; k < 3; ++k) sums[corner + k] += n[k];
+    const a = 4 * index[t], b = 4 * index[t + 1], c = 4 * index[t + 2];
+    const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2];
+    const vx = p[c] - p[a], vy = p[c + 1] - p[a + 1], vz = p[c + 2] - p[a + 2];
+    const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx;
+    sums[a] += x; sums[a + 1] += y; sums[a + 2] += z; sums[b] += x; sums[b + 1] += y; sums[b + 2] += z;
+    sums[c] += x; sums[c + 1] += y; sums[c + 2] += z;
   }
   for (let i = 0; i < p.length; i += 4) {
     const scale = 127 / (Math.hypot(sums[i], sums[i + 1], sums[i + 2]) || 1);
@@ -259,6 +262,7 @@ class Body {
     this.head = JSON.parse(document.getElementById(figure.id + '-head').textContent);
     const { low, high, fields, frames } = this.head;
     this.centre = [0, 1, 2].map(a => low[a] + (high[a] - low[a]) * (a === 2 ? .42 : .5));
+    this.size = Math.hypot(...[0, 1, 2].map(a => high[a] - low[a]));
     this.camera = { ...HOME };
     this.state = { time: frames.at(-1).time, field: fields.at(-1).name, cut: false, axis: 'x', place: .6, zoomed: false, shape: 'surface' };
     if (this.leader) { this.leader.followers.push(this); this.camera = this.leader.camera; this.state = this.leader.state; }
@@ -324,7 +328,7 @@ class Body {
   }
   view() {
     const { turn, lift, far } = this.camera, wide = this.canvas.width / this.canvas.height;
-    const distance = 1.72 * this.head.span * far * Math.max(1, 1.25 / wide);
+    const distance = 1.35 * this.size * far * Math.max(1, 1.25 / wide);
     const way = [Math.cos(turn) * Math.cos(lift), Math.sin(turn) * Math.cos(lift), Math.sin(lift)];
     const eye = this.centre.map((c, a) => c + distance * way[a]), look = looking(eye, this.centre, [0, 0, 1]);
     const focal = 1 / Math.tan(.25), near = .2 * distance, end = 3 * distance;
@@ -332,7 +336,7 @@ class Body {
     return { eye, focal, matrix: times(lens, look), turn: [0, 4, 8, 1, 5, 9, 2, 6, 10].map(k => look[k]) };
   }
   light() {
-    const angle = this.camera.turn - .55, sun = unit([.7 * Math.cos(angle), .7 * Math.sin(angle), .8]), r = .85 * this.head.span;
+    const angle = this.camera.turn - .55, sun = unit([.7 * Math.cos(angle), .7 * Math.sin(angle), .8]), r = .6 * this.size;
     const look = looking(this.centre.map((c, a) => c + 2 * r * sun[a]), this.centre, [0, 0, 1]);
     return { sun, matrix: times([1 / r, 0, 0, 0, 0, 1 / r, 0, 0, 0, 0, -1 / (2 * r), 0, 0, 0, -1, 1], look) };
   }

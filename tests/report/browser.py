@@ -84,7 +84,7 @@ class Page:
     def wait(self, condition, seconds=60):
         """Waits until the expression is true; returns the seconds that it took."""
         begun = time.monotonic()
-        while not self.run(condition):
+        while not self.run(f"!!({condition})"):
             if time.monotonic() - begun > seconds:
                 raise AssertionError("waited in vain for " + condition)
             time.sleep(0.05)
