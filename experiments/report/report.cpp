@@ -37,7 +37,7 @@ Html counts(const ReportPage& report) {
                  "class=\"counts\"");
 }
 
-Html link_of(const ReportedItem& one, const Html& words) { return element("a", words, fmt::format("href=\"#{}\"", anchor(*one.item))); }
+Html link_of(const ReportedItem& one, const Html& words) { return {fmt::format("<a href=\"#{}\">{}</a>", anchor(*one.item), words.code)}; }
 
 /// What was made, in order of its verdict: item and verdict on one line, below it what it shows.
 Html overview(const std::vector<ReportedItem>& items, const ReportPage& report) {
@@ -72,11 +72,10 @@ Html way_about(const std::vector<ReportedItem>& items) {
 
 /// What a reader sees first: one picture and one sentence.
 Html first_sight(const std::vector<ReportedItem>& items) {
-  std::size_t made = 0, held = 0, all = 0;
+  std::size_t held = 0, all = 0;
   Html shown;
   for (const ReportedItem& one : items) {
     if (!one.made) continue;
-    ++made;
     for (const Statement& statement : statements_of(one.made->at("claims"))) {
       ++all;
       held += statement.holds();
@@ -88,10 +87,9 @@ Html first_sight(const std::vector<ReportedItem>& items) {
         objects.empty() ? pictures.front().at("file").get<std::string>() : objects.front().at("picture").get<std::string>() + ".png";
     shown = link_of(one, picture(one.folder / file, heading_of(one)));
   }
-  if (made == 0) return {};
-  const std::string words = fmt::format(
-      "{} of {} statements hold that the paper makes, or that follow from it, in {} figures, tables and experiments that were made.", held,
-      all, made);
+  if (all == 0) return {};
+  const std::string words =
+      fmt::format("{} of {} statements hold: what the paper says of its figures, and what follows from it.", held, all);
   return element("div", join({shown, element("p", text(words), "class=\"lead\"")}), "class=\"first\"");
 }
 

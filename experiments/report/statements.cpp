@@ -88,13 +88,10 @@ std::string anchor_of(const Statement& statement, const std::string& place, std:
   return fmt::format("{}-{}-{}", place, number + 1, metric);
 }
 
-Html card(const Statement& statement, const std::string& anchor) {
-  std::vector<std::string> runs, metrics;
-  for (const json& claim : statement.claims) {
-    if (const std::string of = claim.at("of"); !of.empty()) runs.push_back(of);
-    metrics.push_back(claim.at("metric"));
-  }
-  const std::string common = common_start(runs);
+/// `common`: how the names of all runs begin.
+Html card(const Statement& statement, const std::string& anchor, const std::string& common) {
+  std::vector<std::string> metrics;
+  for (const json& claim : statement.claims) metrics.push_back(claim.at("metric"));
   const bool several = std::any_of(metrics.begin(), metrics.end(), [&](const std::string& m) { return m != metrics.front(); });
   const Html words = statement.is_quoted ? join({text("“"), text(statement.words), text("”")}) : text(statement.words);
   std::vector<Html> parts{element("h4", join({words, text(" "), badge(statement.holds()), link_to(anchor, "this statement")}))};
@@ -131,8 +128,13 @@ std::vector<Statement> statements_of(const json& claims) {
 }
 
 Html cards(const std::vector<Statement>& statements, const std::string& place) {
+  std::vector<std::string> runs;
+  for (const Statement& statement : statements)
+    for (const json& claim : statement.claims)
+      if (const std::string of = claim.at("of"); !of.empty()) runs.push_back(of);
   std::vector<Html> parts;
-  for (std::size_t i = 0; i < statements.size(); ++i) parts.push_back(card(statements[i], anchor_of(statements[i], place, i)));
+  for (std::size_t i = 0; i < statements.size(); ++i)
+    parts.push_back(card(statements[i], anchor_of(statements[i], place, i), common_start(runs)));
   return join(parts);
 }
 

@@ -328,7 +328,7 @@ class Body {
   }
   view() {
     const { turn, lift, far } = this.camera, wide = this.canvas.width / this.canvas.height;
-    const distance = 1.35 * this.size * far * Math.max(1, 1.25 / wide);
+    const distance = 1.42 * this.size * far * Math.max(1, 1.25 / wide);
     const way = [Math.cos(turn) * Math.cos(lift), Math.sin(turn) * Math.cos(lift), Math.sin(lift)];
     const eye = this.centre.map((c, a) => c + distance * way[a]), look = looking(eye, this.centre, [0, 0, 1]);
     const focal = 1 / Math.tan(.25), near = .2 * distance, end = 3 * distance;

@@ -77,8 +77,9 @@ TEST_F(AReport, ShowsWhatWasMadeAndWhatWasNot) {
 TEST_F(AReport, EscapesEveryText) {
   ASSERT_EQ(place.bake("figure 1 --quiet").exit_code, 0);
   ASSERT_EQ(place.bake("report").exit_code, 0);
-  for (const char* words : {"Dough &lt;b&gt;at&lt;/b&gt; rest", "it rests &amp; &#39;waits&#39;",
-                            "aria-label=\"the &quot;height&quot; &lt;over&gt; time\"", "its &lt;crust&gt; is hard", "0.5 &lt; 1 &amp; so on"})
+  for (const char* words :
+       {"Dough &lt;b&gt;at&lt;/b&gt; rest", "it rests &amp; &#39;waits&#39;", "aria-label=\"the &quot;height&quot; &lt;over&gt; time\"",
+        "its &lt;crust&gt; is hard", "0.5 &lt; 1 &amp; so on"})
     EXPECT_TRUE(page_has(words)) << words;
   EXPECT_FALSE(page_has("<over>") || page_has("<crust>") || page_has("<b>"));
 }
