@@ -21,11 +21,8 @@ std::vector<Errors> slab_halves(bool quick);
 std::vector<Errors> slab_held(bool quick);
 std::vector<Errors> slab_held_and_insulated(bool quick);
 std::vector<Errors> robin(bool quick);
-<<<<<<< HEAD
 std::vector<Errors> plates(bool quick);
-=======
 std::vector<Errors> melting(bool quick);
->>>>>>> 1db0ac1ee8ee3e96e756774fb46549bc54ed6cae
 std::vector<Errors> square(bool quick);
 std::vector<Errors> eulers(bool quick);
 std::vector<Errors> fick(bool quick);
