@@ -56,12 +56,24 @@ void check(const SceneEntry& entry, const FigureSurface& surface, const Figure& 
     entry.complain_at("run", fmt::format("found '{}', allowed: a run with mesh = true", surface.run));
 }
 
+void check_view(const SceneEntry& entry, const std::string& view, const Figure& figure) {
+  const fs::path file = view_file(figure, view);
+  if (!fs::is_regular_file(file))
+    entry.complain_at("view", fmt::format("found '{}', allowed: a view ({} is not there)", quotable(view), file.string()));
+}
+
 void check(const SceneEntry& entry, const FigurePicture& picture, const Figure& figure, const ComputedNames&) {
   check_name(entry, picture.name, names_in(figure.pictures));
-  if (!fs::is_regular_file(view_file(figure, picture)))
-    entry.complain_at(
-        "view", fmt::format("found '{}', allowed: a view ({} is not there)", quotable(picture.view), view_file(figure, picture).string()));
+  check_view(entry, picture.view, figure);
   for (const std::string& name : picture.of) check_known(entry, "of", name, "run or surface", runs_and_surfaces(figure));
+}
+
+void check(const SceneEntry& entry, const FigureObject& object, const Figure& figure, const ComputedNames&) {
+  check_name(entry, object.name, names_in(figure.objects));
+  check_view(entry, object.view, figure);
+  check_known(entry, "picture", object.picture, "picture", names_in(figure.pictures));
+  if (object.of.empty()) entry.complain_at("of", "found [], allowed: a run, or a list of them");
+  for (const std::string& name : object.of) check_known(entry, "of", name, "run", names_in(figure.runs));
 }
 
 /// Checks that the metric is one of a run, and over time one that has a time, which the chart sets.
@@ -157,7 +169,7 @@ Figure read_figure(const fs::path& file, const ComputedNames& computed) {
   const Document document{file.string(), file.parent_path()};
   const toml::table table = parse_toml(read_text_file(file), document.name);
   const SceneEntry root(document, table);
-  root.refuse_unknown({"title", "shows", "run", "surface", "picture", "chart", "claim", "blessed"});
+  root.refuse_unknown({"title", "shows", "run", "surface", "picture", "object", "chart", "claim", "blessed"});
   Figure figure;
   figure.file = file;
   figure.title = required_text(root, "title");
@@ -165,6 +177,7 @@ Figure read_figure(const fs::path& file, const ComputedNames& computed) {
   read_tables(root, "run", &Figure::runs, figure, computed);
   read_tables(root, "surface", &Figure::surfaces, figure, computed);
   read_tables(root, "picture", &Figure::pictures, figure, computed);
+  read_tables(root, "object", &Figure::objects, figure, computed);
   read_tables(root, "chart", &Figure::charts, figure, computed);
   for (const SceneEntry& entry : root.tables("claim")) {
     figure.claims.push_back(read_claim(entry, computed.numbers));
@@ -179,8 +192,6 @@ fs::path scene_file(const Figure& figure, const FigureRun& run) {
   return (run.scene.find('/') == std::string::npos ? folder : folder.parent_path()) / (run.scene + ".toml");
 }
 
-fs::path view_file(const Figure& figure, const FigurePicture& picture) {
-  return figure.file.parent_path() / "views" / (picture.view + ".toml");
-}
+fs::path view_file(const Figure& figure, const std::string& view) { return figure.file.parent_path() / "views" / (view + ".toml"); }
 
 }  // namespace bake

@@ -102,6 +102,29 @@ struct FigureChart {
   }
 };
 
+/// [[object]]: runs that the report shows as bodies that turn, from which bake-render makes small surfaces and particles.
+struct FigureObject {
+  std::string name;
+  std::string shows;
+  std::string view;
+  std::string picture;
+  std::vector<std::string> of;
+  bool particles = false;
+  static constexpr auto parameters() {
+    return std::tuple{
+        Parameter{"name", &FigureObject::name, "", any_number, "name of its folder", Presence::required},
+        Parameter{"shows", &FigureObject::shows, "", any_number, "what it shows: for readers who cannot see it, and as its caption",
+                  Presence::required},
+        Parameter{"view", &FigureObject::view, "", any_number, "views/<view>.toml of this folder: how it browns and its colours", Presence::required},
+        Parameter{"picture", &FigureObject::picture, "", any_number, "the [[picture]] that stands for it in print and where nothing can turn",
+                  Presence::required},
+        Parameter{"of", &FigureObject::of, "", any_number, "runs; the others are seen beside the first, at its times", Presence::required},
+        Parameter{"particles", &FigureObject::particles, "", any_number,
+                  "particles can be shown, too: for what tears or is poured, of which surfaces change from moment to moment"},
+    };
+  }
+};
+
 struct Figure {
   std::filesystem::path file;
   std::string title;
@@ -109,6 +132,7 @@ struct Figure {
   std::vector<FigureRun> runs;
   std::vector<FigureSurface> surfaces;
   std::vector<FigurePicture> pictures;
+  std::vector<FigureObject> objects;
   std::vector<FigureChart> charts;
   std::vector<Claim> claims;
 };
@@ -124,8 +148,8 @@ Figure read_figure(const std::filesystem::path& file, const ComputedNames& compu
 
 /// The scene file of a run: experiments/<experiment>/<scene>.toml beside the figure's folder.
 std::filesystem::path scene_file(const Figure& figure, const FigureRun& run);
-/// The view file of a picture.
-std::filesystem::path view_file(const Figure& figure, const FigurePicture& picture);
+/// The file of a view that a picture or object names.
+std::filesystem::path view_file(const Figure& figure, const std::string& view);
 
 template <class T>
 const T* find_named(const std::vector<T>& list, std::string_view name) {

@@ -183,7 +183,7 @@ void cover(const Scene& scene, const std::vector<MadeSkin>& skins, const std::ve
       angular.push_back(plain(vertices[v].angular_velocity));
     }
     first += points.size();
-    baker.cover(sheet, points, {skins[s].mesh.triangles.begin(), skins[s].mesh.triangles.end()}, velocities, angular);
+    baker.cover(sheet, points, {skins[s].mesh.triangles.begin(), skins[s].mesh.triangles.end()}, skins[s].covers, velocities, angular);
   }
 }
 

@@ -42,8 +42,12 @@ class SimulationOf final : public Simulation {
     if (!scene_.skins.empty()) {
       const std::vector<MadeSkin> skins = make_skins(scene_);
       std::vector<SurfaceMesh> meshes;
-      for (const MadeSkin& skin : skins) meshes.push_back(skin.mesh);
-      engine_.cover(std::move(meshes), vertices_of(scene_, skins, particles));
+      std::vector<double> covers;
+      for (const MadeSkin& skin : skins) {
+        meshes.push_back(skin.mesh);
+        covers.insert(covers.end(), skin.covers.begin(), skin.covers.end());
+      }
+      engine_.cover(std::move(meshes), vertices_of(scene_, skins, particles), covers);
     }
     pour_due();
     engine_.start(std::min(first_target.value_or(1 / scene_.run.frame_rate_per_s), next_event()));

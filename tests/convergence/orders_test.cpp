@@ -32,6 +32,7 @@ TEST(Slab, WarmsBetweenHeldFacesAsItsSeriesSays) {
 }
 
 TEST(Slab, CoolsInAirAsItsSeriesSays) { expect_held(robin); }
+TEST(Slab, LiesBetweenAHotAndAColdColliderAsOneModeSays) { expect_held(plates); }
 TEST(Slab, MeltsAsNeumannsSolutionSays) { expect_held(melting); }
 TEST(TheMeltingSlab, HasStefansFrontWhereItMeltsAtOnePoint) {
   double lambda = 0.5;  // of lambda exp(lambda^2) erf(lambda) = c (theta - theta_melting) / (L sqrt(pi)): one, over the root of pi

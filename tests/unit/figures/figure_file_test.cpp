@@ -110,6 +110,19 @@ TEST_F(FigureFile, RefusesNamesOfNothing) {
   EXPECT_EQ(error_of("name = \"slit\"", "name = \"../slit\""), "figure.toml:7: run.1.name: found '../slit', allowed: a-z, 0-9 and _");
 }
 
+TEST_F(FigureFile, HasObjectsOfRunsWithAPictureThatStandsForThem) {
+  const std::string before = k_figure;
+  const auto with = [&](const std::string& lines) { return before + "[[object]]\nname = \"turning\"\nshows = \"both loaves\"\n" + lines; };
+  const Figure figure = read(with("view = \"side\"\npicture = \"both\"\nof = [\"slit\", \"plain\"]\n").c_str());
+  ASSERT_EQ(figure.objects.size(), 1u);
+  EXPECT_EQ(figure.objects[0].of, (std::vector<std::string>{"slit", "plain"}));
+  EXPECT_FALSE(figure.objects[0].particles);
+  EXPECT_THROW(read(with("view = \"side\"\npicture = \"none\"\nof = \"slit\"\n").c_str()), InputError);
+  EXPECT_THROW(read(with("view = \"none\"\npicture = \"both\"\nof = \"slit\"\n").c_str()), InputError);
+  EXPECT_THROW(read(with("view = \"side\"\npicture = \"both\"\nof = \"torn\"\n").c_str()), InputError) << "a surface is no run";
+  EXPECT_THROW(read(with("view = \"side\"\npicture = \"both\"\nof = []\n").c_str()), InputError);
+}
+
 TEST_F(FigureFile, RefusesClaimsThatCannotBeMeasured) {
   EXPECT_EQ(error_of("metric = \"pieces\"\nof = \"torn\"", "metric = \"pieces\"\nof = \"slit\""),
             "figure.toml:43: claim.1.of: found 'slit', a run, allowed: a surface, of which pieces is measured");
