@@ -21,6 +21,8 @@ std::vector<Errors> slab_halves(bool quick);
 std::vector<Errors> slab_held(bool quick);
 std::vector<Errors> slab_held_and_insulated(bool quick);
 std::vector<Errors> robin(bool quick);
+std::vector<Errors> plates(bool quick);
+std::vector<Errors> melting(bool quick);
 std::vector<Errors> square(bool quick);
 std::vector<Errors> eulers(bool quick);
 std::vector<Errors> fick(bool quick);

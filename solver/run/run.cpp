@@ -82,14 +82,14 @@ std::string summary_text(const Scene& scene, const ResultsFolder& results, const
   std::string text =
       fmt::format("{}: {:.4g} s simulated, {} particles, {} steps\n", scene.title.empty() ? scene.file.stem().string() : scene.title,
                   now("time_s"), std::int64_t(now("particles")), std::int64_t(now("steps")));
-  if (value(first, "volume_m3") > 0)
-    text += fmt::format("  volume       x {:.3f} ({:.4g} m^3)\n", now("volume_m3") / value(first, "volume_m3"), now("volume_m3"));
+  const double volume = value(first, "volume_m3") + now("emitted_volume_m3"),
+               water = value(first, "water_mass_kg") + now("emitted_water_mass_kg");
+  if (volume > 0) text += fmt::format("  volume       x {:.3f} ({:.4g} m^3)\n", now("volume_m3") / volume, now("volume_m3"));
   if (is_of_scene(scene, "temperature_mean_C"))
     text += fmt::format("  temperature  {:.1f} to {:.1f} C, mean {:.1f} C\n", now("temperature_min_C"), now("temperature_max_C"),
                         now("temperature_mean_C"));
-  if (value(first, "water_mass_kg") > 0)
-    text += fmt::format("  water lost   {:.4g} kg ({:.2f} %)\n", now("water_evaporated_kg"),
-                        100 * now("water_evaporated_kg") / value(first, "water_mass_kg"));
+  if (water > 0)
+    text += fmt::format("  water lost   {:.4g} kg ({:.2f} %)\n", now("water_evaporated_kg"), 100 * now("water_evaporated_kg") / water);
   if (is_of_scene(scene, "gas_mol")) text += fmt::format("  gas made     {:.4g} mol\n", now("gas_mol"));
   if (inertia_scale != 1 && now("elastic_J") > 0)
     text += fmt::format("  inertia      x {:g}; kinetic energy is {:.2g} of the elastic one: small means quasi-static\n", inertia_scale,

@@ -28,6 +28,7 @@ namespace {
 template <class Real>
 class SimulationOf final : public Simulation {
   static constexpr int W = k_width<Real>;
+  static constexpr double k_rounding = 1e-12;  ///< of times that are computed in two ways
 
  public:
   explicit SimulationOf(const Scene& scene) : scene_(scene), engine_(scene_) {
@@ -61,7 +62,7 @@ class SimulationOf final : public Simulation {
 
   bool advance(double target, double next_target, const std::function<bool()>& after_step) override {
     while (engine_.time() < target) {
-      const double stop = std::min(target, next_event());
+      const double event = next_event(), stop = event < target * (1 - k_rounding) ? event : target;  // no step of 1e-15 s between them
       const double after_stop = stop < target ? std::min(target, event_after(stop)) : std::min(next_target, event_after(stop));
       engine_.step(stop, after_stop);
       pour_due();
@@ -238,7 +239,7 @@ class SimulationOf final : public Simulation {
   }
   void pour_due() {
     for (const auto& emitter : emitters_)
-      while (emitter->next_time() <= engine_.time()) engine_.add(emitter->pour(), true);
+      while (emitter->next_time() <= engine_.time() * (1 + k_rounding)) engine_.add(emitter->pour(), true);
   }
 
   /// What a list of quantities has of that symbol; 0 if it is not in it.

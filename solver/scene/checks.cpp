@@ -102,6 +102,7 @@ void check(const SceneEntry& entry, const Emitter& value, const Scene& scene) {
   check_material_name(entry, value.material, scene);
   check_span(entry, value);
   check_bounded(entry, *value.shape);
+  if (value.from_s < 0) Complaint(entry).at("from_s", "found {}, allowed: 0 or later", value.from_s);
   if (value.velocity_m_per_s == Vector3{0, 0, 0})
     Complaint(entry).at("velocity_m_per_s", "found [0, 0, 0], allowed: a velocity that is not zero");
 }
