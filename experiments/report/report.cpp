@@ -7,6 +7,7 @@
 #include "experiments/report/sections.h"
 #include "experiments/report/style.h"
 #include "solver/core/errors.h"
+#include "solver/io/json_fault.h"
 #include "solver/io/provenance.h"
 
 namespace bake::report {
@@ -83,7 +84,7 @@ Html section_of(const ReportedItem& item) {
   try {
     return item_section(item);
   } catch (const json::exception& error) {
-    throw InputError(fmt::format("{}: not what bake figure writes: {}", (item.folder / "claims.json").string(), error.what()));
+    throw InputError(fmt::format("{}: not what bake figure writes: {}", (item.folder / "claims.json").string(), json_fault(error)));
   }
 }
 
