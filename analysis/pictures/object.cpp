@@ -223,6 +223,7 @@ PictureObject load_object(const std::filesystem::path& file, const std::filesyst
                           const ObjectSettings& settings, Histories& histories, int threads) {
   Shown shown(file, results, threads);
   if (settings.material) shown.keep_material(*settings.material);
+  for (const char axis : settings.mirrored) shown.mirror(axis - 'x');
   PictureObject object = Loader(shown, view, settings, histories).load();
   object.time_s = shown.time_s();
   return object;

@@ -75,6 +75,7 @@ void Engine<Real>::write(CheckpointWriter& out) const {
   const std::int64_t counts[] = {counters_.steps,   counters_.particle_steps, counters_.orderings, counters_.clamped,
                                  counters_.retired, next_identity_,           last_sorted_};
   out.add("counts", std::span<const std::int64_t>(counts));
+  if (skins_) skins_->write(out);
 }
 
 template <class Real>
@@ -108,7 +109,7 @@ void Engine<Real>::read(const CheckpointReader& in) {
   }
   store_.tiles.resize(tiles.size() / 2);
   for (std::size_t i = 0; i < store_.tiles.size(); ++i) store_.tiles[i] = {tiles[2 * i], tiles[2 * i + 1]};
-  check_blocks(store_, geometry_, scene_.materials.size());
+  check_blocks(store_, geometry_, scene_.materials.size() + scene_.skins.size());  // skins are materials behind the others
   expect(particles.size() == store_.tiles.size() * store_.tile_size());
   store_.data.resize_and_forget(particles.size());
   std::copy(particles.begin(), particles.end(), store_.data.data());
@@ -127,7 +128,9 @@ void Engine<Real>::read(const CheckpointReader& in) {
             throw InputError("the checkpoint's particle " + std::to_string(identity_of<Real>(store_.tile(t), l)) + ": found " +
                              column.name + " that is not finite, allowed: numbers");
   check_identities(store_, counts[5], counts[4]);
+  if (!scene_.skins.empty()) take_skins(Sheets<Real>::read(scene_, in));
   after_sorting();
+  if (skins_) skins_->find_forces(store_, geometry_, false);
   expect(grid.size() == active_.at.size() * k_block_nodes * static_cast<std::size_t>(scattered_row()));
   expect(std::all_of(grid.begin(), grid.end(), [](Real x) { return std::isfinite(x); }));
   scattered_.resize_and_forget(grid.size());
