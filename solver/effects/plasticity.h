@@ -48,9 +48,14 @@ struct Plasticity : Effect {
           Parameter{"temperatures_C", &Material::temperatures_C, "C", above_absolute_zero,
                     "theta_1..theta_4 of fig. 8: fridge, room, fat melting, gelatinisation; strictly rising"},
           Parameter{"yield_stress_Pa", &Material::yield_stress_Pa, "Pa", non_negative,
-                    "tau_y at theta_1..theta_4, linear between, frozen past theta_4; one number means constant", Presence::required},
-          Parameter{"viscosity_Pa_s", &Material::viscosity_Pa_s, "Pa s", non_negative,
-                    "eta at theta_1..theta_4 (Pa^3 s with norm = \"quadratic\"); one number means constant"},
+                    "tau_y at theta_1..theta_4, in pulling or pressing along one axis (in shear it yields at tau_y / sqrt 3); linear "
+                    "between, frozen "
+                    "past theta_4; one number means constant",
+                    Presence::required},
+          Parameter{
+              "viscosity_Pa_s", &Material::viscosity_Pa_s, "Pa s", non_negative,
+              "eta at theta_1..theta_4, of pulling along one axis (that of shear is eta / 3); Pa^3 s with norm = \"quadratic\"; one number "
+              "means constant"},
       };
     }
   };

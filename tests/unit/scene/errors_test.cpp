@@ -141,6 +141,15 @@ TEST(SceneError, MaterialsMustHoldMoreThanTheirWater) {
             "allowed: less water than mixture");
 }
 
+TEST(SceneError, WaterAndGasMustNotFillMoreThanTheVolume) {
+  EXPECT_EQ(error_of("effects = [\"water\"]\n" + k_least + k_dough + "initial_porosity = 0.7\ninitial_saturation = 0.4\n"),
+            "bread.toml:14: material.dough.initial_saturation: found 0.4 of the volume water and 0.7 gas (initial_porosity), "
+            "allowed: together at most 1");
+  EXPECT_EQ(error_of(k_least + k_dough + "initial_porosity = 0.7\n[[body]]\nmaterial = \"dough\"\nsaturation = 0.5\n" + k_ball),
+            "bread.toml:15: body.0.saturation: found 0.5 of the volume water and 0.7 gas (the material's initial_porosity), "
+            "allowed: together at most 1");
+}
+
 TEST(SceneError, BodyNeedsAKnownMaterial) {
   EXPECT_EQ(error_of(k_least + k_dough + "[[body]]\nmaterial = \"duogh\"\n" + k_ball),
             "bread.toml:13: body.0.material: unknown material 'duogh', did you mean 'dough'?");
