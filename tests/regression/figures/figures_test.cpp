@@ -145,5 +145,17 @@ TEST(Figure16, LoafIsTornInTwo) {
   check_pictures(figure, "fig16_tearing");
 }
 
+TEST(Figure17, CookiesAreDomedAndThoseThatMeltAndSetAreFlat) {
+  const Made figure(17, "cookies_compared");
+  check_claims(figure, {}, 38);
+  check_pictures(figure, "fig17_cookies_compared");
+}
+
+TEST(Figure19, AFluidSpreadsOverTheRimOfThePanAndBatterDoesNot) {
+  const Made figure(19, "pancake_compared");
+  check_claims(figure, {}, 9);
+  check_pictures(figure, "fig19_pancake_compared");
+}
+
 }  // namespace
 }  // namespace bake

@@ -139,6 +139,38 @@ TEST_F(FrameMetrics, TellADomeFromADent) {
   }
 }
 
+/// A round body of the radius 2 about (3, 4): its top is 1 + rise (1 - (r / 2)^2), its bottom 0. Rows of a spacing of 0.02.
+std::vector<Dot> crowned(double rise) {
+  std::vector<Dot> dots;
+  for (int i = -100; i <= 100; ++i)
+    for (int j = -100; j <= 100; ++j) {
+      const double x = 0.02 * i, y = 0.02 * j, r = std::hypot(x, y);
+      if (r > 2) continue;
+      for (const double height : {0.0, 1 + rise * (1 - r * r / 4)})
+        dots.push_back({static_cast<std::int64_t>(dots.size()), {3 + x, 4 + y, height}});
+    }
+  return dots;
+}
+
+TEST_F(FrameMetrics, MeasureTheDomingOfRoundBodiesByTheirOwnSize) {
+  for (const double rise : {-0.5, 0.0, 1.0, 1e6}) {
+    frame(0, crowned(rise));
+    frame(2, crowned(rise));
+    // the highest particle of a ring stands at its inner edge, of a dent at its outer one; rings are an eighth of the radius in which 99 %
+    // of the volume is, which is 0.995 of the whole
+    const auto mean_square = [&](int from, int to) {
+      double sum = 0;
+      for (int ring = from; ring < to; ++ring) sum += std::pow(0.995 * (ring + (rise < 0 ? 1 : 0)) / 8, 2) / (to - from);
+      return sum;
+    };
+    const double height = 1 + (rise > 0 ? rise : rise * (1 - std::pow(0.995 * 0.75, 2)));
+    EXPECT_NEAR(measure("doming", {}), rise / height * (mean_square(4, 6) - mean_square(0, 4)), 4e-3) << rise;
+    MetricPlace quarter;
+    quarter.point_m = Vector3{3, 4, 0};
+    EXPECT_NEAR(measure("doming", quarter), measure("doming", {}), 1e-4) << "places are in single precision";
+  }
+}
+
 /// A disc off the origin of equally many particles per area, in equal layers, and one far away that is small.
 std::vector<Dot> disc(double radius, float volume_of_stray) {
   std::vector<Dot> dots;
@@ -151,6 +183,17 @@ std::vector<Dot> disc(double radius, float volume_of_stray) {
   stray.volume = volume_of_stray;
   dots.push_back(stray);
   return dots;
+}
+
+TEST_F(FrameMetrics, HaveNoDomingOfARingWithoutAMiddle) {
+  std::vector<Dot> ring = disc(0.5, 1e-3f);
+  std::erase_if(ring, [](const Dot& dot) { return std::hypot(dot.at[0] - 3, dot.at[1] - 4) < 0.4; });
+  for (Dot& dot : ring) dot.at[2] = static_cast<double>(dot.id % 2);
+  frame(0, ring);
+  frame(2, ring);
+  MetricPlace place;
+  place.point_m = Vector3{3, 4, 0};
+  EXPECT_TRUE(std::isnan(measure("doming", place)));
 }
 
 TEST_F(FrameMetrics, MeasureADiameterWithoutItsStrays) {
