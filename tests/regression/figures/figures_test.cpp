@@ -123,7 +123,7 @@ TEST(Figure4, ACakeFlowsOutOfItsCentreAndOneThatBakedLongerDoesNot) {
 
 TEST(Figure11, BatterIsPouredCooksFromBelowAndIsFlippedInOnePiece) {
   const Made figure(11, "pancake");
-  check_claims(figure, {}, 14);
+  check_claims(figure, {}, 13);
   check_pictures(figure, "fig11_pancake");
 }
 
