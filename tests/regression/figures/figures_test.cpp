@@ -127,6 +127,18 @@ TEST(Figure11, BatterIsPouredCooksFromBelowAndIsFlippedInOnePiece) {
   check_pictures(figure, "fig11_pancake");
 }
 
+TEST(Figure18, ARawMarshmallowSpringsBackAndOneWithACrustBreaksAndOozes) {
+  const Made figure(18, "marshmallow");
+  check_claims(figure, {}, 11);
+  check_pictures(figure, "fig18_marshmallow");
+}
+
+TEST(Figure5, AMarshmallowSwellsCrustsAndFlowsOutBetweenCrackers) {
+  const Made figure(5, "smore");
+  check_claims(figure, {}, 7);
+  check_pictures(figure, "fig05_smore");
+}
+
 TEST(Figure15, LoavesExpandAndSlitsOpenButTheTopDoesNotCrack) {
   const Made figure(15, "bread");
   check_claims(figure, {"crack_share"}, 6);  // should it hold one day, this line and the README are to be mended

@@ -77,6 +77,9 @@ TEST_F(RegionMetrics, FindWhatHasComeOutOfACrust) {
   EXPECT_DOUBLE_EQ(measure("oozed_share", place), 0);
   place.time_s = 1;
   EXPECT_DOUBLE_EQ(measure("oozed_share", place), 1.0 / 24) << "one has come through";
+  place.radius_m = 6.5;
+  EXPECT_DOUBLE_EQ(measure("oozed_share", place), 0) << "but not as far as that";
+  place.radius_m.reset();
   place.time_s = 2;
   EXPECT_DOUBLE_EQ(measure("oozed_share", place), 1) << "there is no crust";
 }
