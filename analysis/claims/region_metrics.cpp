@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 
 #include "analysis/claims/finite.h"
 #include "analysis/claims/metric.h"
@@ -19,7 +21,7 @@ double share_in_box(const Results& run, const MetricPlace& at) {
   return volume_share(frame, [&](std::size_t row) { return is_in_box(position(positions, row), at); });
 }
 
-/// For each particle of `now` whether it started in the box; what was poured later did not.
+/// For each particle of `now` whether it was in the box at the start; what was poured later was not.
 std::vector<bool> started_in_box(const CheckedFrame& start, const CheckedFrame& now, const MetricPlace& at) {
   const auto positions = start.positions();
   std::vector<bool> inside;
@@ -33,7 +35,7 @@ double heated_share_of(const Results& run, int number, const MetricPlace& at) {
   const auto peak = frame.column("peak_temperature");
   const auto is_hot = [&](std::size_t row) { return static_cast<double>(peak[row]) >= *at.temperature_C; };
   if (!at.low_m) return volume_share(frame, is_hot);
-  const auto inside = started_in_box(run.frame(0), frame, at);
+  const auto inside = started_in_box(run.frame(at.reference_time_s ? run.frame_at(at.reference_time_s) : 0), frame, at);
   return volume_share(
       frame, [&](std::size_t row) { return inside[row]; }, is_hot);
 }
@@ -60,6 +62,51 @@ double heating_window(const Results& run, const MetricPlace& at) {
   }
   const double first = time_of_share(times, shares, 0.1);
   return (time_of_share(times, shares, 0.9) - first) / first;
+}
+
+constexpr double k_broken = 0.9;  ///< share of its fracture energy after which dough counts as broken: a third of its strength is left
+
+/// For each particle whether it is crust: has it been at temperature_C, and has it not broken since?
+std::vector<bool> whole_crust(const CheckedFrame& frame, const MetricPlace& at) {
+  const auto peak = frame.column("peak_temperature");
+  const auto broken = frame.has("broken") ? frame.column("broken") : std::vector<float>(peak.size(), 0);
+  std::vector<bool> crust;
+  for (std::size_t row = 0; row < peak.size(); ++row)
+    crust.push_back(static_cast<double>(peak[row]) >= *at.temperature_C && static_cast<double>(broken[row]) < k_broken);
+  return crust;
+}
+
+double broken_share(const Results& run, const MetricPlace& at) {
+  const CheckedFrame frame = run.frame(run.frame_at(at.time_s));
+  const auto peak = frame.column("peak_temperature");
+  const auto whole = whole_crust(frame, at);
+  return volume_share(
+      frame, [&](std::size_t row) { return static_cast<double>(peak[row]) >= *at.temperature_C; },
+      [&](std::size_t row) { return !whole[row]; });
+}
+
+/// Looks at the body from its side, through windows as wide and high as two particles: what has not been hot and is in front of all crust
+/// in its window has come through it.
+double oozed_share(const Results& run, const MetricPlace& at) {
+  constexpr double k_window = 2;
+  const CheckedFrame frame = run.frame(run.frame_at(at.time_s));
+  const auto positions = frame.positions(), volumes = frame.column("volume"), peak = frame.column("peak_temperature");
+  const auto crust = whole_crust(frame, at);
+  const double all = std::accumulate(volumes.begin(), volumes.end(), 0.0),
+               width = k_window * std::cbrt(all / static_cast<double>(volumes.size()));
+  std::vector<double> radius;
+  for (std::size_t row = 0; row < volumes.size(); ++row) radius.push_back(std::hypot(positions[3 * row], positions[3 * row + 1]));
+  const double angle = width / *std::max_element(radius.begin(), radius.end());
+  std::vector<std::pair<long, long>> window;
+  std::map<std::pair<long, long>, double> reach;  // of the crust
+  for (std::size_t row = 0; row < volumes.size(); ++row) {
+    const Vector3 x = position(positions, row);
+    window.emplace_back(std::lround(std::floor(std::atan2(x[1], x[0]) / angle)), std::lround(std::floor(x[2] / width)));
+    if (crust[row]) reach[window[row]] = std::max(reach[window[row]], radius[row]);
+  }
+  return volume_share(frame, [&](std::size_t row) {
+    return static_cast<double>(peak[row]) < *at.temperature_C && radius[row] > std::max(reach[window[row]], at.radius_m.value_or(0));
+  });
 }
 
 /// The yield stress of fig. 8 of each particle, over that at its material's start temperature.
@@ -124,11 +171,13 @@ std::vector<Metric> region_metrics() {
       {"heated_share",
        "1",
        fraction,
-       "share of the volume that has been at temperature_C: gelatinised, for dough; with low_m and high_m of what started in that box",
+       "share of the volume that has been at temperature_C: gelatinised, for dough; with low_m and high_m of what was in that box at the "
+       "start, or at "
+       "reference_time_s",
        heated_share,
        nullptr,
        {"temperature_C"},
-       {"time_s", "low_m", "high_m"}},
+       {"reference_time_s", "time_s", "low_m", "high_m"}},
       {"heating_window",
        "1",
        non_negative,
@@ -136,6 +185,23 @@ std::vector<Metric> region_metrics() {
        heating_window,
        nullptr,
        {"temperature_C"}},
+      {"broken_share",
+       "1",
+       fraction,
+       "share of the volume that has been at temperature_C, the crust, which has broken",
+       broken_share,
+       nullptr,
+       {"temperature_C"},
+       {"time_s"}},
+      {"oozed_share",
+       "1",
+       fraction,
+       "share of the volume that has not been at temperature_C and is farther from the z axis than radius_m (0 unless given) and than all "
+       "whole crust, which has, in the same direction and at the same height: what has come through the crust",
+       oozed_share,
+       nullptr,
+       {"temperature_C"},
+       {"radius_m", "time_s"}},
       {"softened_share",
        "1",
        fraction,

@@ -17,6 +17,10 @@ Mesh boundary_of_tetrahedra(const Mesh& tetrahedra);
 /// `crease_deg` of the triangle's own. Edges that are sharper stay sharp.
 std::vector<std::array<Eigen::Vector3f, 3>> corner_normals(const Mesh& triangles, double crease_deg);
 
+/// The mesh without those connected parts that enclose less than `share` of what the largest encloses: crumbs of a particle or two, and
+/// bubbles inside.
+Mesh without_specks(const Mesh& triangles, double share);
+
 struct CutMesh {
   Mesh kept;
   Mesh face;  ///< on the plane, in triangles with no edge longer than was asked for, without fields; may be empty

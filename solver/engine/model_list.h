@@ -32,11 +32,17 @@ using Compositions = std::tuple<
     Composition<Motion, FreeSurface, Heat, Water, MovingWater, Elasticity, Plasticity>,             //
     Composition<Motion, FreeSurface, Heat, Elasticity, Plasticity, Leavening>,                      //
     Composition<Motion, FreeSurface, Heat, Water, MovingWater, Elasticity, Plasticity, Leavening>,  //
+    // set dough that breaks
+    Composition<Motion, Elasticity, Plasticity, Brittleness>,                     //
+    Composition<Motion, FreeSurface, Heat, Elasticity, Plasticity, Brittleness>,  //
     // with FLIP, for studies of transfers
     Composition<Motion, FlipMemory, Elasticity>,              //
     Composition<Motion, FlipMemory, Elasticity, Plasticity>,  //
     Composition<Motion, FlipMemory, FreeSurface, Heat, Water, MovingWater, Elasticity, Plasticity, Leavening>>;
 inline constexpr int k_compositions = std::tuple_size_v<Compositions>;
+
+/// What the vertices of a skin have, beside what the composition of the flesh has.
+using CompositionOfSkin = Composition<Motion>;
 
 /// Makes composition number `index`; each is compiled in a file of its own.
 template <class Real, int index>

@@ -68,15 +68,21 @@ class NotationTable {
   std::string text_;
 };
 
-/// Calls visit for what every model has, for all effects and for the parts that they imply.
+/// Calls visit for all effects and for the parts that they imply.
 template <class Visit>
-void for_each_part(Visit visit) {
-  visit.template operator()<Common>();
+void for_each_effect_and_part(Visit visit) {
   for_each_effect(visit);
   const auto implied = [&]<class E>(E*) {
     if constexpr (Implied<E>) visit.template operator()<E>();
   };
   [&]<class... E>(std::tuple<E...>*) { (implied(static_cast<E*>(nullptr)), ...); }(static_cast<ComposedEffects*>(nullptr));
+}
+
+/// The same, and what every model has.
+template <class Visit>
+void for_each_part(Visit visit) {
+  visit.template operator()<Common>();
+  for_each_effect_and_part(visit);
 }
 
 }  // namespace
@@ -86,11 +92,21 @@ std::vector<FrameColumnWords> frame_columns() {
                                     {"material", "1", "number of its [[material]] in the scene, from 0", ""}};
   ShownWords common{all, ""};
   Common::show(common);
-  for_each_effect([&]<class E>() {
+  for_each_effect_and_part([&]<class E>() {
     ShownWords words{all, E::name};
     BAKE_CALL(E, show, words);
   });
   return all;
+}
+
+std::vector<FrameColumnWords> skin_columns() {
+  return {{"velocity", "m/s", "velocity", ""},
+          {"area_ratio", "1", "area of the triangles around it over their area at the start", ""},
+          {"curvature", "1/m",
+           "sqrt(2 e / B) with the bending energy e per area of the hinges around it: 1/R of a sheet rolled to a cylinder", ""},
+          {"skin", "1", "number of its [[skin]] in the scene, from 0", ""},
+          {"saturation", "1", "saturation of the flesh around it", ""},
+          {"temperature", "C", "temperature of the flesh around it", ""}};
 }
 
 std::string explain_column(std::string_view name) {
@@ -104,6 +120,9 @@ std::string explain_column(std::string_view name) {
     if (c.name == name) add(fmt::format("{}, a column of ledger.csv", c.name), c.meaning, c.unit, c.how, c.effect);
   for (const FrameColumnWords& c : frame_columns())
     if (c.name == name) add(fmt::format("{}, a column of frames", c.name), c.meaning, c.unit, "of each particle at the frame", c.effect);
+  for (const FrameColumnWords& c : skin_columns())
+    if (c.name == name)
+      add(fmt::format("{}, a column of meshes of skins", c.name), c.meaning, c.unit, "of each vertex at the frame", "[[skin]]");
   return text;
 }
 
@@ -138,6 +157,16 @@ One number, or one vector, for each particle, in the order of their `id`.
 )";
   for (const FrameColumnWords& c : frame_columns())
     page += fmt::format("| `{}` | {} | {} | {} |\n", c.name, c.unit, c.meaning, whose(c.effect));
+  page += R"(
+## skins/*.hdf
+
+The triangles of the skins at the same times, for scenes with `[[skin]]`; `skins.hdf.series` opens them all. One number, or one vector, for each
+vertex.
+
+| column | unit | meaning |
+|---|---|---|
+)";
+  for (const FrameColumnWords& c : skin_columns()) page += fmt::format("| `{}` | {} | {} |\n", c.name, c.unit, c.meaning);
   return page;
 }
 

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/effects/all_effects.h"
+#include "solver/effects/skin_of_scene.h"
 #include "solver/scene/nearest.h"
 
 namespace bake {
@@ -32,6 +34,16 @@ void check_span(const SceneEntry& entry, const T& value) {
   if (value.from_s < value.until_s) return;
   const char* key = entry.find("until_s") ? "until_s" : "from_s";
   Complaint(entry).at(key, "found from_s = {} and until_s = {}, allowed: from_s before until_s", value.from_s, value.until_s);
+}
+
+/// What is water cannot be gas.
+template <class T>
+void check_saturation(const SceneEntry& entry, const T& value, const Scene& scene) {
+  for (const Material& material : scene.materials)
+    if (material.name == value.material && value.saturation.value_or(0) + material.initial_porosity > 1)
+      Complaint(entry).at("saturation",
+                          "found {} of the volume water and {} gas (the material's initial_porosity), allowed: together at most 1",
+                          *value.saturation, material.initial_porosity);
 }
 
 /// A shape that is filled with particles must be bounded.
@@ -84,6 +96,7 @@ void check(const SceneEntry& entry, const Body& value, const Scene& scene) {
   if (value.shape && from_file) entry.complain("found both shape and particles_file, allowed: one of them");
   if (!value.shape && !from_file) entry.complain("found neither shape nor particles_file, allowed: one of them");
   if (value.shape) check_bounded(entry, *value.shape);
+  check_saturation(entry, value, scene);
 }
 
 void check(const SceneEntry& entry, const Collider& value, const Scene&) {
@@ -100,8 +113,30 @@ void check(const SceneEntry& entry, const Emitter& value, const Scene& scene) {
   check_material_name(entry, value.material, scene);
   check_span(entry, value);
   check_bounded(entry, *value.shape);
+  check_saturation(entry, value, scene);
+  if (value.from_s < 0) Complaint(entry).at("from_s", "found {}, allowed: 0 or later", value.from_s);
   if (value.velocity_m_per_s == Vector3{0, 0, 0})
     Complaint(entry).at("velocity_m_per_s", "found [0, 0, 0], allowed: a velocity that is not zero");
+}
+
+void check(const SceneEntry& entry, const Skin& value, const Scene& scene) {
+  const Complaint complaint(entry);
+  if (const std::string needs = what_skin_needs(scene); !needs.empty()) entry.complain(needs);
+  if (value.body.empty()) complaint.at("body", "found none, allowed: numbers of bodies");
+  if (value.body.size() > 1 && !value.mesh_file.empty())
+    complaint.at("mesh_file", "found one mesh for {} bodies, allowed: a [[skin]] for each of them", value.body.size());
+  for (std::size_t i = 0; i < value.body.size(); ++i) {
+    const double number = value.body[i];
+    if (number != std::floor(number) || !(number < static_cast<double>(scene.bodies.size())))
+      complaint.at("body", "found {}, allowed: {}", number,
+                   scene.bodies.empty() ? "none, since the scene has no [[body]]"
+                                        : fmt::format("whole numbers from 0 to {}", scene.bodies.size() - 1));
+    if (std::find(value.body.begin(), value.body.begin() + static_cast<std::ptrdiff_t>(i), number) !=
+        value.body.begin() + static_cast<std::ptrdiff_t>(i))
+      complaint.at("body", "found {} again, allowed: each body once", number);
+    if (value.mesh_file.empty() && !scene.bodies[static_cast<std::size_t>(number)].shape)
+      complaint.at("body", "found body.{}, whose particles come from a file, allowed: with it a mesh_file", number);
+  }
 }
 
 }  // namespace bake
