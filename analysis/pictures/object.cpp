@@ -214,6 +214,7 @@ PictureObject load_object(const std::filesystem::path& file, const std::filesyst
                           const ObjectSettings& settings, Histories& histories, int threads) {
   Shown shown(file, results, threads);
   if (settings.material) shown.keep_material(*settings.material);
+  for (const char axis : settings.mirrored) shown.mirror(axis - 'x');
   return Loader(shown, view, settings, histories).load();
 }
 

@@ -166,6 +166,7 @@ struct ObjectSettings {
   std::optional<double> range_high;
   ParticleShape particles = ParticleShape::surface;
   std::optional<int> material;
+  std::string mirrored;
   std::optional<double> spacing_m;
   double sphere_scale = 1;
   std::optional<Vector3> cut_point_m;
@@ -188,6 +189,9 @@ struct ObjectSettings {
                   "show a frame's particles as a smooth surface around them, or as spheres"},
         Parameter{"material", &ObjectSettings::material, "", Range{0, 1e6, false, false, "a whole number of at least 0"},
                   "only the frame's particles of that [[material]] of the scene, counted from 0; default: all"},
+        Parameter{
+            "mirrored", &ObjectSettings::mirrored, "", any_number,
+            "completes a half or a quarter that was run between mirrors: axes whose planes through 0 they were, such as \"y\" or \"xy\""},
         Parameter{"spacing_m", &ObjectSettings::spacing_m, "m", positive, "of particles, for their surface; default: measured"},
         Parameter{"sphere_scale", &ObjectSettings::sphere_scale, "1", positive, "radius of spheres over that of the particle's volume"},
         Parameter{"cut_point_m", &ObjectSettings::cut_point_m, "m", any_number, "a point of the cutting plane, before turn and shift"},

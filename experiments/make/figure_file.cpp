@@ -76,15 +76,19 @@ void check(const SceneEntry& entry, const FigureObject& object, const Figure& fi
   for (const std::string& name : object.of) check_known(entry, "of", name, "run", names_in(figure.runs));
 }
 
-/// Checks that the metric is one of a run at a time, which the chart sets.
-void check_metric_over_time(const SceneEntry& entry, const FigureChart& chart) {
+/// Checks that the metric is one of a run, and over time one that has a time, which the chart sets.
+void check_metrics(const SceneEntry& entry, const FigureChart& chart) {
   std::vector<std::string> known;
+  const bool over_time = chart.against.empty();
   for (const Metric& metric : all_metrics())
-    if (metric.of_run && std::find(metric.knows.begin(), metric.knows.end(), "time_s") != metric.knows.end())
+    if (metric.of_run && (!over_time || std::find(metric.knows.begin(), metric.knows.end(), "time_s") != metric.knows.end()))
       known.emplace_back(metric.name);
-  check_known(entry, "metric", chart.metric, "metric of a run that has a time", known);
-  if (chart.place.time_s) entry.complain_at("time_s", "the chart is drawn over all times");
+  check_known(entry, "metric", chart.metric, over_time ? "metric of a run that has a time" : "metric of a run", known);
+  if (chart.place.time_s) entry.complain_at("time_s", over_time ? "the chart is drawn over all times" : "the chart shows the end");
   check_place(entry, find_metric(chart.metric), chart.place);
+  if (over_time) return;
+  check_known(entry, "against", chart.against, "metric of a run", known);
+  check_place(entry, find_metric(chart.against), chart.place);
 }
 
 void check(const SceneEntry& entry, const FigureChart& chart, const Figure& figure, const ComputedNames& computed) {
@@ -93,7 +97,8 @@ void check(const SceneEntry& entry, const FigureChart& chart, const Figure& figu
   if (sources > 1 || (sources == 0) != chart.of.empty())
     entry.complain_at("column", "allowed: column or metric, with `of`, or a name alone");
   if (sources == 0) check_known(entry, "name", chart.name, "chart", computed.charts);
-  if (!chart.metric.empty()) check_metric_over_time(entry, chart);
+  if (!chart.metric.empty()) check_metrics(entry, chart);
+  if (!chart.against.empty() && chart.metric.empty()) entry.complain_at("against", "needs a metric beside it");
   for (const std::string& name : chart.of) check_known(entry, "of", name, "run", names_in(figure.runs));
 }
 

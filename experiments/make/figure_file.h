@@ -30,7 +30,7 @@ struct FigureSurface {
   std::string run;
   double reference_time_s = 0;
   std::vector<double> times_s;
-  std::optional<double> stretch, smallest_gap_m;
+  std::optional<double> stretch, smallest_gap_m, void_ratio;
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"name", &FigureSurface::name, "", any_number, "what claims and pictures call it", Presence::required},
@@ -41,7 +41,10 @@ struct FigureSurface {
         Parameter{"stretch", &FigureSurface::stretch, "1", Range{1, k_infinity, true, true, "a number above 1"},
                   "an edge breaks beyond this many times its reference length; as in bake-mesh unless given"},
         Parameter{"smallest_gap_m", &FigureSurface::smallest_gap_m, "m", non_negative,
-                  "an edge breaks only if it has also grown by this length; as in bake-mesh unless given"},
+                  "an edge breaks only if it is also longer than this; as in bake-mesh unless given"},
+        Parameter{
+            "void_ratio", &FigureSurface::void_ratio, "1", Range{1, k_infinity, true, true, "a number above 1"},
+            "an edge breaks only if also the tetrahedra around it hold this many times the volume of their dough; not asked unless given"},
     };
   }
 };
@@ -72,12 +75,14 @@ struct FigurePicture {
   }
 };
 
-/// [[chart]]: a column of the ledger or a metric over time, or, if only a name is given, a chart that the item's function computes.
+/// [[chart]]: a column of the ledger or a metric over time, one metric at the end against another, or, if only a name is given, a chart
+/// that the item's function computes.
 struct FigureChart {
   std::string name;
   std::string shows;
   std::string column;
   std::string metric;
+  std::string against;
   MetricPlace place;  ///< its keys stand directly in [[chart]]
   std::string label;
   std::vector<std::string> of;
@@ -89,6 +94,8 @@ struct FigureChart {
         Parameter{"column", &FigureChart::column, "", any_number, "column of the ledger, drawn over time"},
         Parameter{"metric", &FigureChart::metric, "", any_number,
                   "or a metric of runs that has a time, drawn over time; what it needs stands beside it"},
+        Parameter{"against", &FigureChart::against, "", any_number,
+                  "a second metric of runs: each run is then one point, the first upright, both at its end; for scans"},
         Parameter{"label", &FigureChart::label, "", any_number, "beside the upright axis; the name of column or metric unless given"},
         Parameter{"of", &FigureChart::of, "", any_number, "the runs, one line each"},
     };

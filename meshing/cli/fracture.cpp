@@ -34,6 +34,11 @@ void add_fracture_command(CLI::App& app, Action& action) {
       .add_option("--smallest-gap", options->smallest_gap_m, "... beyond this length, both in two frames that follow each other [1.5 dx]")
       ->type_name("METRES")
       ->check(CLI::Range(0.0, 1e6));
+  command
+      .add_option("--void-ratio", options->void_ratio,
+                  "... and if the tetrahedra around it hold this many times the volume of their dough [not asked]")
+      ->type_name("R")
+      ->check(CLI::Range(1.0, 1e6));
   command.add_option("--first-particle", options->first_particle, "identity of the particle that is vertex 0 [0]")
       ->type_name("N")
       ->transform(whole_number(0, std::int64_t{1} << 40));

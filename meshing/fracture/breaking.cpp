@@ -9,20 +9,46 @@
 
 namespace bake {
 
+namespace {
+
+double volume_of(const Tet& tet, const std::vector<Point>& x) {
+  return std::abs(dot(x[tet[1]] - x[tet[0]], cross(x[tet[2]] - x[tet[0]], x[tet[3]] - x[tet[0]]))) / 6;
+}
+
+}  // namespace
+
 Breaking::Breaking(const Topology& topology, const std::vector<Point>& reference, const BreakingRule& rule)
-    : topology_(topology), limits_(topology.edges.size()), beyond_(topology.edges.size(), 0), broken_at_(topology.edges.size(), -1) {
+    : topology_(topology),
+      void_ratio_(rule.void_ratio),
+      limits_(topology.edges.size()),
+      beyond_(topology.edges.size(), 0),
+      broken_at_(topology.edges.size(), -1) {
   for (std::size_t e = 0; e < limits_.size(); ++e) {
     const auto [a, b] = topology.edges[e];
     const double limit = std::max(rule.stretch * length(reference[a] - reference[b]), rule.smallest_gap_m);
     limits_[e] = static_cast<float>(limit * limit);
   }
+  if (void_ratio_ > 0)
+    for (const Tet& tet : topology.mesh.tets) tet_volumes_.push_back(volume_of(tet, reference));
 }
 
-void Breaking::advance(int frame, const std::vector<Point>& positions) {
+std::vector<double> Breaking::voids(const std::vector<Point>& positions, const std::vector<double>& growth) const {
+  std::vector<double> voids(topology_.edges.size(), 0);
+  for (std::size_t t = 0; t < tet_volumes_.size(); ++t) {
+    const Tet& tet = topology_.mesh.tets[t];
+    const double mean_growth = (growth[tet[0]] + growth[tet[1]] + growth[tet[2]] + growth[tet[3]]) / 4;
+    const double more = volume_of(tet, positions) - void_ratio_ * mean_growth * tet_volumes_[t];
+    for (const std::int32_t e : topology_.tet_edges[t]) voids[e] += more;
+  }
+  return voids;
+}
+
+void Breaking::advance(int frame, const std::vector<Point>& positions, const std::vector<double>& growth) {
+  const std::vector<double> void_at = void_ratio_ > 0 ? voids(positions, growth) : std::vector<double>{};
   for (std::size_t e = 0; e < limits_.size(); ++e) {
     const auto [a, b] = topology_.edges[e];
     const Vector3 between = positions[a] - positions[b];
-    const bool beyond = dot(between, between) > limits_[e];
+    const bool beyond = dot(between, between) > limits_[e] && (void_at.empty() || void_at[e] > 0);
     if (beyond && beyond_[e] && broken_at_[e] < 0) broken_at_[e] = frame;
     beyond_[e] = beyond;
   }

@@ -135,6 +135,14 @@ std::string summary(const json& report) {
                      report["crack_area_m2"].get<double>(), report["pieces"].size());
 }
 
+/// Volumes of the frame read last over the first ones; of particles that have left: zero.
+std::vector<double> growth(const RunFrames& run, const std::vector<float>& first_volumes) {
+  const std::vector<float> volumes = run.column("volume", 1);
+  std::vector<double> growth(volumes.size());
+  for (std::size_t v = 0; v < growth.size(); ++v) growth[v] = double(volumes[v]) / double(first_volumes[v]);
+  return growth;
+}
+
 }  // namespace
 
 void write_fracture(const FractureOptions& options, const std::function<void(const std::string&)>& tell,
@@ -144,23 +152,23 @@ void write_fracture(const FractureOptions& options, const std::function<void(con
   const std::vector<int> frames = wanted_frames(options, run);
   const int reference = run.nearest(options.reference_time_s);
   run.read(reference);
-  const BreakingRule rule{options.stretch, options.smallest_gap_m.value_or(k_smallest_gap * run.dx_m())};
+  const BreakingRule rule{options.stretch, options.smallest_gap_m.value_or(k_smallest_gap * run.dx_m()), options.void_ratio};
+  const std::vector<float> first_volumes = rule.void_ratio > 0 ? run.column("volume", 1) : std::vector<float>{};
+  if (rule.void_ratio > 0 && first_volumes.empty())
+    throw InputError(fmt::format("{}: found no column 'volume' in its frames, needed for --void-ratio", options.results.string()));
   Breaking breaking(topology, run.positions(), rule);
   const Depth depth(topology);
   std::filesystem::create_directories(options.out);
 
-  json report{{"mesh", options.mesh.string()},
-              {"results", options.results.string()},
-              {"reference_frame", reference},
-              {"reference_time_s", run.time_s(reference)},
-              {"stretch", rule.stretch},
-              {"smallest_gap_m", rule.smallest_gap_m},
-              {"mesh_volume_m3", volume_of(topology.mesh)},
+  json report{{"mesh", options.mesh.string()}, {"results", options.results.string()},
+              {"reference_frame", reference},  {"reference_time_s", run.time_s(reference)},
+              {"stretch", rule.stretch},       {"smallest_gap_m", rule.smallest_gap_m},
+              {"void_ratio", rule.void_ratio}, {"mesh_volume_m3", volume_of(topology.mesh)},
               {"frames", json::array()}};
   for (int frame = 0; frame <= frames.back(); ++frame) {
     progress(frame / (frames.back() + 1.0));
     run.read(frame);
-    breaking.advance(frame, run.positions());
+    breaking.advance(frame, run.positions(), rule.void_ratio > 0 ? growth(run, first_volumes) : std::vector<double>{});
     if (!std::binary_search(frames.begin(), frames.end(), frame)) continue;
     const Surface surface(topology, run, frame, breaking.broken_at(), options.smoothing_passes);
     write_mesh(options.out / frame_name(frame), surface.mesh(run, frame, depth));

@@ -21,7 +21,8 @@ struct FractureOptions {
   int every = 0;
   double stretch = BreakingRule{}.stretch;
   std::optional<double> smallest_gap_m;  ///< default: k_smallest_gap node distances of the run
-  std::int64_t first_particle = 0;       ///< the particle that is vertex 0
+  double void_ratio = BreakingRule{}.void_ratio;
+  std::int64_t first_particle = 0;  ///< the particle that is vertex 0
   int smoothing_passes = 8;
 };
 

@@ -7,6 +7,7 @@
 
 #include "solver/boundary/scripted.h"
 #include "solver/effects/all_effects.h"
+#include "solver/effects/skin_of_scene.h"
 
 namespace bake {
 
@@ -15,9 +16,9 @@ namespace {
 template <class... Structs>
 constexpr std::size_t k_keys = (0 + ... + std::tuple_size_v<decltype(Structs::parameters())>);
 static_assert(
-    k_keys<DomainSettings, GridSettings, SurfaceSettings, Oven, Material, Body, Collider, Grip, Emitter> == 58 &&
+    k_keys<DomainSettings, GridSettings, SurfaceSettings, Oven, Material, Body, Collider, Grip, Emitter, Skin> == 68 &&
         k_keys<Motion::Settings, Heat::Settings, Water::Settings, Elasticity::Settings, Plasticity::Settings, Leavening::Settings> == 19 &&
-        k_keys<Heat::Material, Water::Material, Elasticity::Material, Plasticity::Material, Leavening::Material> == 16,
+        k_keys<Heat::Material, Water::Material, Elasticity::Material, Plasticity::Material, Leavening::Material> == 19,
     "scenes have another number of keys: hand the new one to the textbook or refuse it here, so that it is not left out silently");
 
 void refuse_unknown_effects(const Scene& scene) {
@@ -56,6 +57,9 @@ textbook::Material plain(const Material& m) {
   out.alpha_s = heat.specific_heat_J_per_kgK;
   out.kappa = heat.conductivity_W_per_mK;
   out.alpha_l = heat.expansion_per_K;
+  out.transition_heat = heat.transition_heat_J_per_kg;
+  out.transition_from = heat.transition_from_C;
+  out.transition_to = heat.transition_to_C;
   const auto& water = of<Water>(m);
   out.rho_w = water.water_density_kg_per_m3;
   out.K = water.diffusivity_m2_per_sK;
@@ -164,6 +168,23 @@ textbook::Surroundings surroundings_of(const Scene& scene, double time_s) {
     s.solids.back().is_grip = true;
   }
   return s;
+}
+
+void cover(const Scene& scene, const std::vector<MadeSkin>& skins, const std::vector<NewParticle>& vertices, textbook::Baker& baker) {
+  std::size_t first = 0;
+  for (std::size_t s = 0; s < skins.size(); ++s) {
+    const Skin& skin = scene.skins[s];
+    textbook::Sheet sheet{skin.young_modulus_Pa, skin.poisson_ratio, skin.thickness_m, skin.density_kg_per_m3, skin.permeance};
+    sheet.inertia = inertia_of_skin(scene, skin);
+    std::vector<textbook::Vector> points, velocities, angular;
+    for (std::size_t v = first; v < first + skins[s].mesh.points.size(); ++v) {
+      points.push_back(plain(vertices[v].x));
+      velocities.push_back(plain(vertices[v].velocity));
+      angular.push_back(plain(vertices[v].angular_velocity));
+    }
+    first += points.size();
+    baker.cover(sheet, points, {skins[s].mesh.triangles.begin(), skins[s].mesh.triangles.end()}, skins[s].covers, velocities, angular);
+  }
 }
 
 textbook::Beginning beginning_of(const Scene& scene, const NewParticle& particle, std::int64_t id) {

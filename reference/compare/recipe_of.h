@@ -4,6 +4,7 @@
 
 #include "reference/textbook/baker.h"
 #include "solver/engine/engine.h"
+#include "solver/run/skins.h"
 #include "solver/scene/scene.h"
 
 namespace bake {
@@ -13,5 +14,7 @@ textbook::Recipe recipe_of(const Scene& scene);
 /// The air, colliders and grips at one time.
 textbook::Surroundings surroundings_of(const Scene& scene, double time_s);
 textbook::Beginning beginning_of(const Scene& scene, const NewParticle& particle, std::int64_t id);
+/// Gives the baker the scene's skins; `vertices`: of all of them.
+void cover(const Scene& scene, const std::vector<MadeSkin>& skins, const std::vector<NewParticle>& vertices, textbook::Baker& baker);
 
 }  // namespace bake

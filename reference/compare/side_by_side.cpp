@@ -66,6 +66,14 @@ Numbers in_order(const std::vector<Vector3>& vectors) {
   return all;
 }
 
+/// Positions or velocities of the vertices of all skins.
+Numbers in_order(const std::vector<textbook::Skin>& skins, textbook::Vector textbook::Vertex::*of) {
+  Numbers all;
+  for (const textbook::Skin& skin : skins)
+    for (const textbook::Vertex& p : skin.vertices) all.insert(all.end(), {(p.*of)[0], (p.*of)[1], (p.*of)[2]});
+  return all;
+}
+
 FieldDifference compare(const char* field, const Numbers& other, const Numbers& textbook) {
   FieldDifference d{field};
   for (std::size_t i = 0; i < textbook.size(); ++i) {
@@ -87,7 +95,13 @@ double worst(const std::vector<FieldDifference>& differences) {
 SideBySide::SideBySide(const Scene& scene, bool with_twin)
     : scene_(with_exact_conduction(scene)), solver_(Simulation::begin(scene_)), baker_(recipe_of(scene_)) {
   if (with_twin) twin_.emplace(recipe_of(scene_));
-  for (const NewParticle& p : fill_bodies(scene_)) add(p);
+  const std::vector<NewParticle> particles = fill_bodies(scene_);
+  for (const NewParticle& p : particles) add(p);
+  const std::vector<MadeSkin> skins = make_skins(scene_);
+  const std::vector<NewParticle> vertices = vertices_of(scene_, skins, particles);
+  cover(scene_, skins, vertices, baker_);
+  if (twin_) cover(scene_, skins, vertices, *twin_);
+  next_id_ += static_cast<std::int64_t>(vertices.size());
   for (std::size_t i = 0; i < scene_.emitters.size(); ++i)
     emitters_.push_back(std::make_unique<EmitterState>(scene_, scene_.emitters[i], i));
   pour_due();
@@ -125,7 +139,8 @@ bool SideBySide::step() {
 }
 
 template <class NumbersOf>
-std::vector<FieldDifference> SideBySide::from_textbook(NumbersOf numbers_of) const {
+std::vector<FieldDifference> SideBySide::from_textbook(NumbersOf numbers_of, const Numbers& skin_positions,
+                                                       const Numbers& skin_velocities) const {
   std::vector<FieldDifference> all;
   double strain_of_a_step = 0;  // whose round-off the strain of a stiff body has
   for (const ComparedField& field : fields_of(scene_)) {
@@ -138,6 +153,11 @@ std::vector<FieldDifference> SideBySide::from_textbook(NumbersOf numbers_of) con
     }
     if (all.back().field == "b_E - I") scale = std::max(scale, strain_of_a_step);
   }
+  if (scene_.skins.empty()) return all;
+  const double speed = all[1].scale;
+  all.push_back(compare("skin position", skin_positions, in_order(baker_.skins(), &textbook::Vertex::x)));
+  all.push_back(compare("skin velocity", skin_velocities, in_order(baker_.skins(), &textbook::Vertex::v)));
+  all.back().scale = std::max(all.back().scale, speed);
   return all;
 }
 
@@ -147,15 +167,19 @@ std::vector<FieldDifference> SideBySide::differences() const {
   const bool same = std::equal(s.id.begin(), s.id.end(), particles.begin(), particles.end(),
                                [](std::int64_t id, const textbook::Particle& p) { return id == p.id; });
   if (!same) return {{"particles", k_infinity, 1}};
-  return from_textbook([&](const ComparedField& field) {
-    if (*field.column) return s[field.column];
-    return in_order(std::string_view(field.name) == "position" ? s.position : s.velocity);
-  });
+  const std::optional<Mesh> skin = solver_->skin_mesh();
+  return from_textbook(
+      [&](const ComparedField& field) {
+        if (*field.column) return s[field.column];
+        return in_order(std::string_view(field.name) == "position" ? s.position : s.velocity);
+      },
+      skin ? skin->points : Numbers{}, skin ? skin->find("velocity")->values : Numbers{});
 }
 
 std::vector<FieldDifference> SideBySide::differences_of_twin() const {
   if (twin_->particles().size() != baker_.particles().size()) return {{"particles", k_infinity, 1}};
-  return from_textbook([&](const ComparedField& field) { return in_order(twin_->particles(), field); });
+  return from_textbook([&](const ComparedField& field) { return in_order(twin_->particles(), field); },
+                       in_order(twin_->skins(), &textbook::Vertex::x), in_order(twin_->skins(), &textbook::Vertex::v));
 }
 
 double SideBySide::textbook_bytes(const Scene& scene) { return textbook::Baker::bytes(recipe_of(scene)); }

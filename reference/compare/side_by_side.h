@@ -45,7 +45,8 @@ class SideBySide {
   void pour_due();
   void step_textbook(double dt, double begin);
   template <class NumbersOf>
-  std::vector<FieldDifference> from_textbook(NumbersOf numbers_of) const;
+  std::vector<FieldDifference> from_textbook(NumbersOf numbers_of, const std::vector<double>& skin_positions,
+                                             const std::vector<double>& skin_velocities) const;
 
   const Scene scene_;
   std::unique_ptr<Simulation> solver_;

@@ -34,6 +34,18 @@ void Baker::add(const Beginning& b) {
   particles_.push_back(p);
 }
 
+void Baker::cover(const Sheet& sheet, const std::vector<Vector>& points, const std::vector<std::array<int, 3>>& triangles,
+                  const std::vector<double>& covers, const std::vector<Vector>& velocities, const std::vector<Vector>& angular_velocities) {
+  Skin skin{sheet, points, triangles, {}};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vector& w = angular_velocities[i];
+    skin.vertices.push_back({points[i], velocities[i], {{{0, -w[2], w[1]}, {w[2], 0, -w[0]}, {-w[1], w[0], 0}}}, 0, covers[i]});
+  }
+  for (const auto& t : triangles)
+    for (const int corner : t) skin.vertices[static_cast<std::size_t>(corner)].area += triangle_area(points, t) / 3;
+  skins_.push_back(skin);
+}
+
 void Baker::step(double dt, const Surroundings& surroundings) {
   scatter(dt);
   update_nodes(dt, surroundings);
@@ -57,6 +69,12 @@ void Baker::round_to_single() {
     for (Matrix* a : {&p.C, &p.grad_v, &p.tau, &strain}) round_matrix(*a);
     p.b_E = identity() + strain;
   }
+  for (Skin& skin : skins_)
+    for (Vertex& p : skin.vertices) {
+      round_all(p.x);
+      round_all(p.v);
+      round_matrix(p.C);
+    }
 }
 
 void Baker::scatter(double dt) {
@@ -84,6 +102,13 @@ void Baker::scatter(double dt) {
     });
     p.Q_scattered = p.Q();
   }
+  for (const Skin& skin : skins_) {
+    const std::vector<Vector> force = skin_forces(skin);
+    for (std::size_t i = 0; i < skin.vertices.size(); ++i)
+      for_each_node(grid_, skin.vertices[i].x, recipe_.kernel, [&](const Index& at, const Overlap& o) {
+        scatter_vertex(skin, skin.vertices[i], force[i], recipe_, dt, o, grid_[at]);
+      });
+  }
 }
 
 void Baker::update_nodes(double dt, const Surroundings& surroundings) {
@@ -94,6 +119,8 @@ void Baker::update_nodes(double dt, const Surroundings& surroundings) {
       measure_surface(surroundings, grid_);
   }
   grid_.for_each([&](const Index& i, Node& node) {
+    node.area = open_area(node);
+    if (recipe_.motion && !(node.volume > 0) && node.mass > 0) update_velocity(recipe_, dt, node);  // skin alone
     if (!(node.volume > 0)) return;
     if (recipe_.water) update_water(recipe_, surroundings, dt, node);
     if (recipe_.heat) {
@@ -136,6 +163,16 @@ void Baker::gather(double dt, const Surroundings& surroundings) {
     if (!leaves(recipe_, p.x)) stay.push_back(p);
   }
   particles_ = stay;
+  for (Skin& skin : skins_)
+    for (Vertex& p : skin.vertices) {
+      SeenVelocity velocity;
+      for_each_node(grid_, p.x, recipe_.kernel, [&](const Index& i, const Overlap& o) { velocity.add(grid_[i], o, D); });
+      p.x += dt * velocity.v;
+      p.v = velocity.v;
+      p.C = velocity.affine;
+      expel(recipe_, surroundings, p.x, p.v);
+      leaves(recipe_, p.x);
+    }
 }
 
 /// tau = tau_E - (J p_gas + J p_water + beta_T (theta - theta_0)) I, of solid, gas and water together.   [Ding19 Eq. 10, 13, 14]

@@ -8,6 +8,7 @@
 #include "reference/textbook/grid.h"
 #include "reference/textbook/particle.h"
 #include "reference/textbook/recipe.h"
+#include "reference/textbook/skin.h"
 
 namespace bake::textbook {
 
@@ -30,6 +31,9 @@ class Baker {
   Baker& operator=(const Baker&) = delete;
 
   void add(const Beginning&);
+  /// A skin of the sheet that is at rest where its points are, with what each covers, its velocity and its angular velocity.
+  void cover(const Sheet&, const std::vector<Vector>& points, const std::vector<std::array<int, 3>>& triangles,
+             const std::vector<double>& covers, const std::vector<Vector>& velocities, const std::vector<Vector>& angular_velocities);
   /// One step: scatter (P2G), grid update, gather (G2P). A run begins with a step of no duration, which finds the first fluxes.
   void step(double dt, const Surroundings&);
 
@@ -37,6 +41,7 @@ class Baker {
   void round_to_single();
 
   const std::vector<Particle>& particles() const { return particles_; }
+  const std::vector<Skin>& skins() const { return skins_; }
   /// Memory that a recipe needs for its nodes [bytes].
   static double bytes(const Recipe& recipe) { return static_cast<double>(Grid::count(recipe)) * (sizeof(Node) + 10 * sizeof(double)); }
 
@@ -50,6 +55,7 @@ class Baker {
   const Recipe recipe_;
   Grid grid_;
   std::vector<Particle> particles_;
+  std::vector<Skin> skins_;
 };
 
 }  // namespace bake::textbook

@@ -28,6 +28,8 @@ struct Node {
   double heat_content = 0;   ///< [J]
   double heat_change = 0;    ///< what the step brings [J]
   double conductivity = 0;   ///< kappa V [W m^2/K]
+  double skin_area = 0;      ///< of skin [m^2]
+  double closed_area = 0;    ///< of it, the share that holds water back [m^2]
   // surroundings
   double area = 0;                  ///< A_i, touching air [m^2]
   double heat_transfer = 0;         ///< sum A beta, of air and solids [W/K]

@@ -84,6 +84,8 @@ Lanes<float> expm1(Lanes<float> a);
 Lanes<double> expm1(Lanes<double> a);
 Lanes<float> log1p(Lanes<float> a);
 Lanes<double> log1p(Lanes<double> a);
+Lanes<float> atan(Lanes<float> a);
+Lanes<double> atan(Lanes<double> a);
 
 /// Is any lane true?
 template <class Mask>

@@ -81,6 +81,8 @@ class BlockKernel {
   virtual void to_rows(const Physics<Real>&, const Lanes<Real> (&x)[3], Lanes<Real>* scattered, Real* rows) const = 0;
   /// Adds one particle's rows to the grid around home block `index`: new particles, and those that left their block.
   virtual void scatter_rows(const BlockWork<Real>&, int index, const Real (&x)[3], const Real* rows) const = 0;
+  /// Adds impulses on the particles of a tile of home block `index` to the momenta, the first three channels [kg m/s].
+  virtual void push(const BlockWork<Real>&, int index, int tile, const Lanes<Real> (&impulse)[3]) const = 0;
   /// Takes W nodes' scattered rows: channels as lanes, up to scattered_row() of them. The rows are left zero.
   virtual void take_nodes(Real* rows, Lanes<Real>* channels) const = 0;
   /// Writes W nodes' gathered rows from gathered_row() channels.

@@ -112,6 +112,27 @@ class BlockKernelOf final : public BlockKernel<Real> {
         }
   }
 
+  void push(const BlockWork<Real>& work, int index, int tile, const V (&impulse)[3]) const override {
+    const HomeBlock& block = work.store->blocks[static_cast<std::size_t>(index)];
+    V x[3];
+    load_position(work.store->tile(static_cast<std::size_t>(tile)), x);
+    const S s(x);
+    const LaneMask<Real> outside = s.outside();
+    for (int p = 0; p < work.store->tiles[static_cast<std::size_t>(tile)].count; ++p) {
+      if (outside[p]) continue;  // no step leaves a particle like this
+      for (int j = 0; j < N; ++j)
+        for (int k = 0; k < N; ++k) {
+          const Real w_jk = s.weight[0][j][p] * s.weight[1][k][p];
+          for (int l = 0; l < N; ++l) {
+            const int at[3] = {static_cast<int>(s.base[0][p]) + j, static_cast<int>(s.base[1][p]) + k, static_cast<int>(s.base[2][p]) + l};
+            const Real w = w_jk * s.weight[2][l][p];
+            Real* node = work.scattered + grid_row(block, at[0], at[1], at[2]) * RS;
+            for (int d = 0; d < 3; ++d) node[d] += w * impulse[d][p];
+          }
+        }
+    }
+  }
+
   void take_nodes(Real* rows, V* channels) const override {
     rows_to_lanes<RS>(rows, channels);
     for (int l = 0; l < W; ++l) Row<Real, RS>::zero().store(rows + l * RS);

@@ -14,7 +14,7 @@ template <class Real>
 Engine<Real>::Engine(const Scene& scene)
     : scene_(scene),
       geometry_(scene.domain.min_m, scene.domain.max_m, scene.dx()),
-      physics_(make_physics<Real>(scene)),
+      physics_(make_physics_with_skins<Real>(scene)),
       kernel_(make_block_kernel<Real>(scene.grid.kernel, *physics_)),
       contacts_(scene, geometry_),
       scratch_(static_cast<std::size_t>(omp_get_max_threads())) {
@@ -134,6 +134,7 @@ void Engine<Real>::pass(double next_dt, bool sample) {
     for (auto& e : r.migrants) migrants.push_back(std::move(e));
   const bool is_stale = physics_->moves && counters_.steps - last_sorted_ >= k_most_steps_unsorted;
   if (!migrants.empty() || is_stale) migrate_particles(migrants);
+  if (skins_) pull_skins(sample);
 }
 
 template <class Real>

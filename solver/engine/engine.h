@@ -11,6 +11,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "solver/core/errors.h"
@@ -18,6 +19,7 @@
 #include "solver/engine/contacts.h"
 #include "solver/engine/engine_types.h"
 #include "solver/engine/implicit_heat.h"
+#include "solver/engine/sheets.h"
 #include "solver/engine/surface.h"
 #include "solver/engine/time_step.h"
 #include "solver/io/checkpoint.h"
@@ -32,6 +34,10 @@ class Engine {
 
   /// Adds particles, all of them in the domain, between passes, with consecutive identities; those that are poured are booked.
   void add(const std::vector<NewParticle>& particles, bool poured = false);
+  /// Puts skins onto the bodies: a mesh at rest for each of the scene's, and their vertices as particles in the same order. Once, after the
+  /// bodies were added.
+  /// `covers`: of each vertex, the area of the body's surface above it over its own.
+  void cover(std::vector<SurfaceMesh> skins, const std::vector<NewParticle>& vertices, const std::vector<double>& covers);
   /// A first pass without time, which finds fluxes, limits and totals, and scatters for the first step. Once, after the first
   /// add; not after read().
   void start(double first_target);
@@ -52,7 +58,8 @@ class Engine {
   const Highest& highest() const { return highest_; }  ///< at the last sample; -1e30 without particles
   const Bounds& bounds() const { return bounds_; }     ///< of the last step
   const PhaseSeconds& phases() const { return phases_; }
-  std::size_t particles() const { return particle_count_; }
+  std::size_t particles() const { return particle_count_; }                  ///< without the vertices of skins
+  const Sheets<Real>* skins() const { return skins_ ? &*skins_ : nullptr; }  ///< null without skins
   const ParticleStore<Real>& store() const { return store_; }
   const AlignedBuffer<Real>& velocity() const { return velocity_; }  ///< [tile][3][W] right after a sample; empty where nothing moves
   const Physics<Real>& physics() const { return *physics_; }
@@ -92,6 +99,9 @@ class Engine {
   void book_moved_heat(const NodeSums<Real>* sums, Theta theta, Budget& booked) const;
   Lanes<Real> temperatures(std::size_t slot, int pack) const;
   void pass(double next_dt, bool sample);
+  void take_skins(Sheets<Real> skins);
+  void pull_skins(bool sample);
+  void book_weight_of_skins();
   void migrate_particles(std::vector<Migrant<Real>>& migrants);
   void after_sorting();
   void remap_blocks(const ActiveBlocks& before);
@@ -122,7 +132,9 @@ class Engine {
   ImplicitHeat<Real> implicit_heat_;
   std::vector<Real> heat_weight_, heat_transfer_;  ///< of the nodes, for backward Euler
   std::vector<NodeSums<Real>> sums_;               ///< of the nodes, W at a time
-  std::vector<char> beside_collider_;              ///< by slot: contact follows when all nodes are known
+  std::optional<Sheets<Real>> skins_;
+  std::vector<double> excess_mass_;    ///< inertia less mass of the skins' vertices, which gravity must not pull [kg]
+  std::vector<char> beside_collider_;  ///< by slot: contact follows when all nodes are known
 
   /// The longest time without sorting [steps]. Particles of a cell that stand together share what the scatter loads and stores; moving
   /// about, they lose each other long before one of them leaves its block and so has all of them sorted.

@@ -29,6 +29,7 @@ void Engine<Real>::write(CheckpointWriter& out) const {
   const std::int64_t counts[] = {counters_.steps,   counters_.particle_steps, counters_.orderings, counters_.clamped,
                                  counters_.retired, next_identity_,           last_sorted_};
   out.add("counts", std::span<const std::int64_t>(counts));
+  if (skins_) skins_->write(out);
 }
 
 template <class Real>
@@ -78,7 +79,9 @@ void Engine<Real>::read(const CheckpointReader& in) {
           if (c != k_identity_column && !std::isfinite(store_.tile(t)[c][l]))
             throw InputError("the checkpoint's particle " + std::to_string(identity_of<Real>(store_.tile(t), l)) + ": found " +
                              column.name + " that is not finite, allowed: numbers");
+  if (!scene_.skins.empty()) take_skins(Sheets<Real>::read(scene_, in));
   after_sorting();
+  if (skins_) skins_->find_forces(store_, geometry_, false);
   expect(grid.size() == active_.at.size() * k_block_nodes * static_cast<std::size_t>(scattered_row()));
   scattered_.resize_and_forget(grid.size());
   std::copy(grid.begin(), grid.end(), scattered_.data());

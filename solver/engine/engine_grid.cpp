@@ -104,6 +104,7 @@ void Engine<Real>::update_grid() {
   }
   booked_[k_area_entry] = booked_[k_contact_area_entry] = 0;  // of this step, not a sum
   for (const Budget& b : block_budgets_) add_to(booked_, b);
+  if (skins_) book_weight_of_skins();
 }
 
 /// From scattered to gathered rows. A block found empty is no longer `touched`.

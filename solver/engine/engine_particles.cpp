@@ -138,6 +138,10 @@ void Engine<Real>::after_sorting() {
   ++counters_.orderings;
   last_sorted_ = counters_.steps;
   particle_count_ = store_.particles();
+  if (skins_) {
+    skins_->find_vertices(store_);
+    particle_count_ -= skins_->vertices_left();
+  }
   active_.surround(store_.blocks, geometry_);
   for (auto& columns : colours_.columns) columns.clear();
   for (std::size_t i = 0; i < store_.blocks.size(); ++i) {

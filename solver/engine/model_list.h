@@ -38,6 +38,9 @@ using Compositions = std::tuple<
     Composition<Motion, FlipMemory, FreeSurface, Heat, Water, MovingWater, Elasticity, Plasticity, Leavening>>;
 inline constexpr int k_compositions = std::tuple_size_v<Compositions>;
 
+/// What the vertices of a skin have, beside what the composition of the flesh has.
+using CompositionOfSkin = Composition<Motion>;
+
 /// Makes composition number `index`; each is compiled in a file of its own.
 template <class Real, int index>
 std::unique_ptr<Physics<Real>> make_composition(const Scene& scene);

@@ -177,4 +177,8 @@ class Physics {
 template <class Real>
 std::unique_ptr<Physics<Real>> make_physics(const Scene& scene);
 
+/// The same with the scene's skins, if it has any (solver/engine/skin_physics.cpp).
+template <class Real>
+std::unique_ptr<Physics<Real>> make_physics_with_skins(const Scene& scene);
+
 }  // namespace bake

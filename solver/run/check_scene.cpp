@@ -13,6 +13,7 @@
 #include "solver/io/provenance.h"
 #include "solver/run/fill_scene.h"
 #include "solver/run/frame_times.h"
+#include "solver/run/skins.h"
 #include "solver/scene/scene.h"
 
 namespace bake {
@@ -84,6 +85,7 @@ void check_scene(const Scene& scene) {
   const FrameTimes times(scene);  // throws if they cannot be counted
   check_size(scene);
   check_filling(scene);
+  make_skins(scene);  // throws if one cannot be made
 }
 
 }  // namespace bake

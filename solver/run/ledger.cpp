@@ -7,12 +7,14 @@
 
 #include "solver/effects/all_effects.h"
 #include "solver/effects/common.h"
+#include "solver/engine/sheets.h"
 #include "solver/run/simulation.h"
 #include "solver/scene/scene.h"
 
 namespace bake {
 namespace {
 
+constexpr const char* k_skin = "[[skin]]";  ///< no effect, but has columns
 constexpr const char* k_at_frame = "state at the frame";
 constexpr const char* k_summed = "summed over the particles at the frame";
 constexpr const char* k_booked = "booked in every step, summed since the start";
@@ -90,6 +92,10 @@ std::vector<LedgerColumn> make_ledger() {
   add_extent("extent_y_m", "extent of the particles along y", 1);
   add_columns<Common>(all, "");
   for_each_effect([&]<class E>() { add_columns<E>(all, E::name); });
+  Columns skin(all, k_skin);
+  skin.made("skin_membrane", "J", "energy of stretched skin", [](const Simulation& now) { return now.skin_sums().membrane; });
+  skin.made("skin_bending", "J", "energy of bent skin", [](const Simulation& now) { return now.skin_sums().bending; });
+  skin.made("skin_area", "m^2", "area of the skin's triangles", [](const Simulation& now) { return now.skin_sums().area; });
   add_passing<Common>(all, "");
   for_each_effect([&]<class E>() { add_passing<E>(all, E::name); });
   return all;
@@ -117,7 +123,8 @@ std::vector<double> ledger_row(const Simulation& simulation) {
 
 bool is_of_scene(const Scene& scene, std::string_view name) {
   const auto found = std::find_if(ledger().begin(), ledger().end(), [&](const LedgerColumn& column) { return column.name == name; });
-  return found != ledger().end() && (found->effect.empty() || scene.lists(found->effect));
+  if (found == ledger().end()) return false;
+  return found->effect.empty() || (found->effect == k_skin ? !scene.skins.empty() : scene.lists(found->effect));
 }
 
 }  // namespace bake

@@ -36,6 +36,8 @@ struct FrameColumnWords {
   std::string name, unit, meaning, effect;
 };
 std::vector<FrameColumnWords> frame_columns();
+/// The same of the vertices of skins.
+std::vector<FrameColumnWords> skin_columns();
 
 /// What a column of the ledger or of a frame is, for `bake explain`; empty if there is none of that name.
 std::string explain_column(std::string_view name);

@@ -93,6 +93,16 @@ std::vector<FrameColumnWords> frame_columns() {
   return all;
 }
 
+std::vector<FrameColumnWords> skin_columns() {
+  return {{"velocity", "m/s", "velocity", ""},
+          {"area_ratio", "1", "area of the triangles around it over their area at the start", ""},
+          {"curvature", "1/m",
+           "sqrt(2 e / B) with the bending energy e per area of the hinges around it: 1/R of a sheet rolled to a cylinder", ""},
+          {"skin", "1", "number of its [[skin]] in the scene, from 0", ""},
+          {"saturation", "1", "saturation of the flesh around it", ""},
+          {"temperature", "C", "temperature of the flesh around it", ""}};
+}
+
 std::string explain_column(std::string_view name) {
   std::string text;
   const auto add = [&](const std::string& what, const std::string& meaning, const std::string& unit, const std::string& how,
@@ -104,6 +114,9 @@ std::string explain_column(std::string_view name) {
     if (c.name == name) add(fmt::format("{}, a column of ledger.csv", c.name), c.meaning, c.unit, c.how, c.effect);
   for (const FrameColumnWords& c : frame_columns())
     if (c.name == name) add(fmt::format("{}, a column of frames", c.name), c.meaning, c.unit, "of each particle at the frame", c.effect);
+  for (const FrameColumnWords& c : skin_columns())
+    if (c.name == name)
+      add(fmt::format("{}, a column of meshes of skins", c.name), c.meaning, c.unit, "of each vertex at the frame", "[[skin]]");
   return text;
 }
 
@@ -138,6 +151,16 @@ One number, or one vector, for each particle, in the order of their `id`.
 )";
   for (const FrameColumnWords& c : frame_columns())
     page += fmt::format("| `{}` | {} | {} | {} |\n", c.name, c.unit, c.meaning, whose(c.effect));
+  page += R"(
+## skins/*.hdf
+
+The triangles of the skins at the same times, for scenes with `[[skin]]`; `skins.hdf.series` opens them all. One number, or one vector, for each
+vertex.
+
+| column | unit | meaning |
+|---|---|---|
+)";
+  for (const FrameColumnWords& c : skin_columns()) page += fmt::format("| `{}` | {} | {} |\n", c.name, c.unit, c.meaning);
   return page;
 }
 

@@ -102,6 +102,8 @@ void remove_frames_from(const fs::path& folder, int first) {
 
 fs::path ResultsFolder::frame(int number) const { return frames() / frame_name(number); }
 
+fs::path ResultsFolder::skin(int number) const { return skins() / frame_name(number); }
+
 bool ResultsFolder::has_checkpoint() const {
   std::error_code ignored;
   return fs::exists(checkpoint(), ignored);
@@ -123,7 +125,7 @@ bool ResultsFolder::is_marked() const {
 
 void ResultsFolder::refuse_what_no_run_made() const {
   std::error_code ignored;
-  for (const fs::path& path : {frames(), series(), ledger(), checkpoint(), description()}) {
+  for (const fs::path& path : {frames(), series(), skins(), skin_series(), ledger(), checkpoint(), description()}) {
     if (!fs::exists(path, ignored) || (fs::is_directory(path, ignored) && fs::is_empty(path, ignored))) continue;
     throw InputError(path.string() + ": is there already, and not from a run of Bake, allowed: another folder (--out)");
   }
@@ -152,13 +154,20 @@ void ResultsFolder::take_to_resume() { lock_.emplace(mark()); }
 
 void ResultsFolder::clear() const {
   std::error_code ignored;
-  for (const fs::path& file : {series(), ledger(), checkpoint(), description()})
+  for (const fs::path& file : {series(), skin_series(), ledger(), checkpoint(), description()})
     if (!fs::is_directory(file, ignored)) fs::remove(file, ignored);
   remove_frames_from(frames(), 0);
   make_folder(frames());
+  remove_frames_from(skins(), 0);
+  fs::remove(skins(), ignored);  // if it is empty
 }
 
-void ResultsFolder::remove_frames_behind(int last) const { remove_frames_from(frames(), last + 1); }
+void ResultsFolder::make_skins() const { make_folder(skins()); }
+
+void ResultsFolder::remove_frames_behind(int last) const {
+  remove_frames_from(frames(), last + 1);
+  remove_frames_from(skins(), last + 1);
+}
 
 void ResultsFolder::expect_there(const FrameTimes& times, int last) const {
   const Ledger ledger = read_ledger(this->ledger());

@@ -22,6 +22,9 @@ class ResultsFolder {
   std::filesystem::path frames() const { return folder_ / "frames"; }
   std::filesystem::path frame(int number) const;
   std::filesystem::path series() const { return folder_ / "frames.hdf.series"; }
+  std::filesystem::path skins() const { return folder_ / "skins"; }
+  std::filesystem::path skin(int number) const;  ///< the mesh of a frame's skins
+  std::filesystem::path skin_series() const { return folder_ / "skins.hdf.series"; }
   std::filesystem::path ledger() const { return folder_ / "ledger.csv"; }
   std::filesystem::path checkpoint() const { return folder_ / "checkpoint.h5"; }
   std::filesystem::path description() const { return folder_ / "run.json"; }
@@ -38,6 +41,8 @@ class ResultsFolder {
   void take(const Scene& scene, Replace replace);
   /// Removes what former runs have written, and nothing else; then frames can be written.
   void clear() const;
+  /// Makes the folder of the skins' meshes, for scenes that have some.
+  void make_skins() const;
   /// Keeps other runs out of a folder with a checkpoint. Throws InputError if another process writes here.
   void take_to_resume();
   /// Removes frames behind this one.

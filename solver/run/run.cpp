@@ -26,6 +26,7 @@
 #include "solver/run/ledger.h"
 #include "solver/run/results_folder.h"
 #include "solver/run/simulation.h"
+#include "solver/run/skins.h"
 #include "solver/scene/describe.h"
 #include "solver/scene/resolved.h"
 #include "solver/scene/scene.h"
@@ -81,14 +82,14 @@ std::string summary_text(const Scene& scene, const ResultsFolder& results, const
   std::string text =
       fmt::format("{}: {:.4g} s simulated, {} particles, {} steps\n", scene.title.empty() ? scene.file.stem().string() : scene.title,
                   now("time_s"), std::int64_t(now("particles")), std::int64_t(now("steps")));
-  if (value(first, "volume_m3") > 0)
-    text += fmt::format("  volume       x {:.3f} ({:.4g} m^3)\n", now("volume_m3") / value(first, "volume_m3"), now("volume_m3"));
+  const double volume = value(first, "volume_m3") + now("emitted_volume_m3"),
+               water = value(first, "water_mass_kg") + now("emitted_water_mass_kg");
+  if (volume > 0) text += fmt::format("  volume       x {:.3f} ({:.4g} m^3)\n", now("volume_m3") / volume, now("volume_m3"));
   if (is_of_scene(scene, "temperature_mean_C"))
     text += fmt::format("  temperature  {:.1f} to {:.1f} C, mean {:.1f} C\n", now("temperature_min_C"), now("temperature_max_C"),
                         now("temperature_mean_C"));
-  if (value(first, "water_mass_kg") > 0)
-    text += fmt::format("  water lost   {:.4g} kg ({:.2f} %)\n", now("water_evaporated_kg"),
-                        100 * now("water_evaporated_kg") / value(first, "water_mass_kg"));
+  if (water > 0)
+    text += fmt::format("  water lost   {:.4g} kg ({:.2f} %)\n", now("water_evaporated_kg"), 100 * now("water_evaporated_kg") / water);
   if (is_of_scene(scene, "gas_mol")) text += fmt::format("  gas made     {:.4g} mol\n", now("gas_mol"));
   if (inertia_scale != 1 && now("elastic_J") > 0)
     text += fmt::format("  inertia      x {:g}; kinetic energy is {:.2g} of the elastic one: small means quasi-static\n", inertia_scale,
@@ -153,7 +154,7 @@ class Run {
  private:
   void save_checkpoint() const;
   void save_series(int frame) const;
-  void save_frame(int frame, const PackedFrame& data, const std::vector<double>& row);
+  void save_frame(int frame, const PackedFrame& data, const std::optional<Mesh>& skin, const std::vector<double>& row);
   void save_description(const char* state) const;
   bool advance();
   void expect_results() const;
@@ -188,7 +189,8 @@ void Run::begin() {
   try {
     save_description("running");
     ledger_.emplace(LedgerFile::create(results_.ledger(), ledger_columns()));
-    save_frame(0, simulation_->packed_frame(), first_);
+    if (!scene_.skins.empty()) results_.make_skins();
+    save_frame(0, simulation_->packed_frame(), simulation_->skin_mesh(), first_);
   } catch (...) {
     fail();
     throw;
@@ -237,15 +239,20 @@ void Run::save_checkpoint() const {
 }
 
 void Run::save_series(int frame) const {
-  std::vector<SeriesEntry> entries;
-  for (int f = 0; f <= frame; ++f) entries.push_back({"frames/" + frame_name(f), times_(f)});
-  write_series(results_.series(), entries);
+  const auto save = [&](const std::string& folder, const std::filesystem::path& series) {
+    std::vector<SeriesEntry> entries;
+    for (int f = 0; f <= frame; ++f) entries.push_back({folder + frame_name(f), times_(f)});
+    write_series(series, entries);
+  };
+  save("frames/", results_.series());
+  if (!scene_.skins.empty()) save("skins/", results_.skin_series());
 }
 
 /// Writes what a frame leaves; the ledger comes last, so that its rows are those of whole frames.
-void Run::save_frame(int frame, const PackedFrame& data, const std::vector<double>& row) {
+void Run::save_frame(int frame, const PackedFrame& data, const std::optional<Mesh>& skin, const std::vector<double>& row) {
   try {
     write_frame(results_.frame(frame), data);
+    if (skin) write_mesh(results_.skin(frame), *skin);
     save_series(frame);
     ledger_->append(row);
   } catch (const OutputError& error) {
@@ -317,7 +324,9 @@ RunSummary Run::go_on() {
       ++frame_;
       last_ = ledger_row(*simulation_);
       // packed here, by all threads: a thread of its own would take a core from the steps, whose threads wait for each other
-      writer_->put([this, frame = frame_, data = simulation_->packed_frame(), row = last_] { save_frame(frame, data, row); });
+      writer_->put([this, frame = frame_, data = simulation_->packed_frame(), skin = simulation_->skin_mesh(), row = last_] {
+        save_frame(frame, data, skin, row);
+      });
       progress_.update(standing());
     }
     const bool at_end = frame_ == times_.last(), stop = StopSignals::asked() && !at_end;
@@ -420,6 +429,7 @@ std::string describe_scene(const Scene& scene, int threads) {
                         n > 0 ? clock_text(n * (steps * costs->step + frames * costs->frame)) : "no time at all");
   }
   for (const std::string& warning : warnings_about(scene)) text += fmt::format("  warning      {}\n", warning);
+  for (const std::string& doubt : doubts_about_skins(scene)) text += fmt::format("  doubt        {}\n", doubt);
   return text +
          fmt::format("  (steps from the first step's length; time from a trial of 20 steps and a frame at {} on this machine)", tried);
 }

@@ -12,6 +12,7 @@
 #include "solver/engine/engine.h"
 #include "solver/run/check_scene.h"
 #include "solver/run/fill_scene.h"
+#include "solver/run/skins.h"
 #include "solver/scene/scene.h"
 
 namespace bake {
@@ -27,6 +28,7 @@ namespace {
 template <class Real>
 class SimulationOf final : public Simulation {
   static constexpr int W = k_width<Real>;
+  static constexpr double k_rounding = 1e-12;  ///< of times that are computed in two ways
 
  public:
   explicit SimulationOf(const Scene& scene) : scene_(scene), engine_(scene_) {
@@ -35,7 +37,18 @@ class SimulationOf final : public Simulation {
   }
 
   void begin(std::optional<double> first_target) {
-    engine_.add(fill_bodies(scene_));
+    const std::vector<NewParticle> particles = fill_bodies(scene_);
+    engine_.add(particles);
+    if (!scene_.skins.empty()) {
+      const std::vector<MadeSkin> skins = make_skins(scene_);
+      std::vector<SurfaceMesh> meshes;
+      std::vector<double> covers;
+      for (const MadeSkin& skin : skins) {
+        meshes.push_back(skin.mesh);
+        covers.insert(covers.end(), skin.covers.begin(), skin.covers.end());
+      }
+      engine_.cover(std::move(meshes), vertices_of(scene_, skins, particles), covers);
+    }
     pour_due();
     engine_.start(std::min(first_target.value_or(1 / scene_.run.frame_rate_per_s), next_event()));
   }
@@ -49,7 +62,7 @@ class SimulationOf final : public Simulation {
 
   bool advance(double target, double next_target, const std::function<bool()>& after_step) override {
     while (engine_.time() < target) {
-      const double stop = std::min(target, next_event());
+      const double event = next_event(), stop = event < target * (1 - k_rounding) ? event : target;  // no step of 1e-15 s between them
       const double after_stop = stop < target ? std::min(target, event_after(stop)) : std::min(next_target, event_after(stop));
       engine_.step(stop, after_stop);
       pour_due();
@@ -167,7 +180,55 @@ class SimulationOf final : public Simulation {
     return frame;
   }
 
+  const SkinSums& skin_sums() const override {
+    static const SkinSums none;
+    return engine_.skins() ? engine_.skins()->sums() : none;
+  }
+
+  std::optional<Mesh> skin_mesh() const override {
+    if (!engine_.skins()) return {};
+    const Sheets<Real>& skins = *engine_.skins();
+    Mesh mesh;
+    mesh.time_s = time();
+    MeshField area{"area_ratio", "1", 1, {}}, curvature{"curvature", "1/m", 1, {}}, number{"skin", "1", 1, {}};
+    for (std::size_t v = 0; v < skins.vertices(); ++v)
+      mesh.points.insert(mesh.points.end(), skins.position(v).begin(), skins.position(v).end());
+    for (const SkinVertexState& state : skins.vertex_states()) {
+      area.values.push_back(state.area_ratio);
+      curvature.values.push_back(state.curvature);
+    }
+    std::size_t first = 0;
+    for (std::size_t s = 0; s < skins.meshes().size(); ++s) {
+      for (const SurfaceTriangle& t : skins.meshes()[s].triangles) {
+        const bool whole =
+            std::all_of(t.begin(), t.end(), [&](std::int32_t v) { return skins.is_left(first + static_cast<std::size_t>(v)); });
+        if (!whole) continue;
+        for (const std::int32_t v : t) mesh.cells.push_back(static_cast<std::int64_t>(first) + v);
+      }
+      number.values.insert(number.values.end(), skins.meshes()[s].points.size(), static_cast<double>(s));
+      first += skins.meshes()[s].points.size();
+    }
+    if (engine_.velocity().size() > 0) mesh.fields.push_back({"velocity", "m/s", 3, skin_velocities(skins)});
+    mesh.fields.push_back(std::move(area));
+    mesh.fields.push_back(std::move(curvature));
+    mesh.fields.push_back(std::move(number));
+    for (MeshField& field : flesh_at(mesh.points, frame(), engine_.geometry().dx())) mesh.fields.push_back(std::move(field));
+    return mesh;
+  }
+
  private:
+  std::vector<double> skin_velocities(const Sheets<Real>& skins) const {
+    std::vector<double> all(3 * skins.vertices(), 0);
+    const auto& store = engine_.store();
+    for (std::size_t b = 0; b < store.blocks.size(); ++b)
+      for (std::int32_t t = skins.tiles_of(b).first; t < skins.tiles_of(b).end; ++t)
+        for_each_particle_of(b, static_cast<std::size_t>(t), [&](const ParticleSlot& p) {
+          const Vector3 v = velocity(p);
+          std::copy(v.begin(), v.end(), &all[3 * static_cast<std::size_t>(identity_of<Real>(p.columns, p.lane) - skins.first_identity())]);
+        });
+    return all;
+  }
+
   /// Whatever happens next besides frames: pouring, colliders that come and go.
   double next_event() const { return event_after(engine_.time()); }
   double event_after(double time) const {
@@ -178,7 +239,7 @@ class SimulationOf final : public Simulation {
   }
   void pour_due() {
     for (const auto& emitter : emitters_)
-      while (emitter->next_time() <= engine_.time()) engine_.add(emitter->pour(), true);
+      while (emitter->next_time() <= engine_.time() * (1 + k_rounding)) engine_.add(emitter->pour(), true);
   }
 
   /// What a list of quantities has of that symbol; 0 if it is not in it.
@@ -196,10 +257,12 @@ class SimulationOf final : public Simulation {
     const Lanes<Real>* columns;
   };
 
+  /// Those of the flesh.
   template <class Visit>
   void for_each_tile(std::size_t block, Visit visit) const {
     const auto& at = engine_.store().blocks[block];
-    for (std::int32_t t = at.first_tile; t < at.first_tile + at.tiles; ++t) visit(static_cast<std::size_t>(t));
+    const std::int32_t end = engine_.skins() ? engine_.skins()->tiles_of(block).first : at.first_tile + at.tiles;
+    for (std::int32_t t = at.first_tile; t < end; ++t) visit(static_cast<std::size_t>(t));
   }
   template <class Visit>
   void for_each_particle_of(std::size_t block, std::size_t tile, Visit visit) const {

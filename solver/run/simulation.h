@@ -10,12 +10,14 @@
 
 #include "solver/engine/engine_types.h"
 #include "solver/io/frames.h"
+#include "solver/io/mesh_file.h"
 
 namespace bake {
 
 class CheckpointReader;
 class CheckpointWriter;
 struct Scene;
+struct SkinSums;
 
 /// Everything about the particles at one time, in double and in the order of their identities.
 struct Snapshot {
@@ -45,7 +47,7 @@ class Simulation {
 
   virtual double time() const = 0;
   virtual double dt() const = 0;
-  virtual std::size_t particles() const = 0;
+  virtual std::size_t particles() const = 0;  ///< without the vertices of skins
   virtual const Counters& counters() const = 0;
   // Quantities are called by what the effects declare, e.g. total(total::momentum, 2); 0 if no effect of the scene has it.
   template <class Q>
@@ -74,7 +76,11 @@ class Simulation {
   }
   virtual Box3 extent() const = 0;  ///< of the particles [m]
   virtual Snapshot snapshot() const = 0;
-  virtual FrameData frame() const = 0;  ///< ordered by identity
+  virtual FrameData frame() const = 0;  ///< ordered by identity, without the vertices of skins
+  /// The skins, with what their vertices have: velocity, area_ratio, curvature, skin, and saturation and temperature of the flesh around.
+  /// Vertices that have left the domain stay where they were seen last, and their triangles are left out.
+  virtual std::optional<Mesh> skin_mesh() const = 0;
+  virtual const SkinSums& skin_sums() const = 0;  ///< at the last sample; zero without skins
   void write_frame_file(const std::filesystem::path& path) const { write_frame(path, packed_frame()); }
   PackedFrame packed_frame() const { return pack_frame(time(), frame()); }
   virtual std::size_t bytes() const = 0;

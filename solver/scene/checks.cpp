@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "solver/effects/all_effects.h"
+#include "solver/effects/skin_of_scene.h"
 #include "solver/scene/nearest.h"
 
 namespace bake {
@@ -100,8 +102,29 @@ void check(const SceneEntry& entry, const Emitter& value, const Scene& scene) {
   check_material_name(entry, value.material, scene);
   check_span(entry, value);
   check_bounded(entry, *value.shape);
+  if (value.from_s < 0) Complaint(entry).at("from_s", "found {}, allowed: 0 or later", value.from_s);
   if (value.velocity_m_per_s == Vector3{0, 0, 0})
     Complaint(entry).at("velocity_m_per_s", "found [0, 0, 0], allowed: a velocity that is not zero");
+}
+
+void check(const SceneEntry& entry, const Skin& value, const Scene& scene) {
+  const Complaint complaint(entry);
+  if (const std::string needs = what_skin_needs(scene); !needs.empty()) entry.complain(needs);
+  if (value.body.empty()) complaint.at("body", "found none, allowed: numbers of bodies");
+  if (value.body.size() > 1 && !value.mesh_file.empty())
+    complaint.at("mesh_file", "found one mesh for {} bodies, allowed: a [[skin]] for each of them", value.body.size());
+  for (std::size_t i = 0; i < value.body.size(); ++i) {
+    const double number = value.body[i];
+    if (number != std::floor(number) || !(number < static_cast<double>(scene.bodies.size())))
+      complaint.at("body", "found {}, allowed: {}", number,
+                   scene.bodies.empty() ? "none, since the scene has no [[body]]"
+                                        : fmt::format("whole numbers from 0 to {}", scene.bodies.size() - 1));
+    if (std::find(value.body.begin(), value.body.begin() + static_cast<std::ptrdiff_t>(i), number) !=
+        value.body.begin() + static_cast<std::ptrdiff_t>(i))
+      complaint.at("body", "found {} again, allowed: each body once", number);
+    if (value.mesh_file.empty() && !scene.bodies[static_cast<std::size_t>(number)].shape)
+      complaint.at("body", "found body.{}, whose particles come from a file, allowed: with it a mesh_file", number);
+  }
 }
 
 }  // namespace bake

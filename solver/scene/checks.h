@@ -18,6 +18,7 @@ void check(const SceneEntry& entry, const Body& value, const Scene& scene);
 void check(const SceneEntry& entry, const Collider& value, const Scene& scene);
 void check(const SceneEntry& entry, const Grip& value, const Scene& scene);
 void check(const SceneEntry& entry, const Emitter& value, const Scene& scene);
+void check(const SceneEntry& entry, const Skin& value, const Scene& scene);
 
 /// How an effect's own checks (solver/effects/effect.h) refuse what a table says.
 class Complaint {

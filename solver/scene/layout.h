@@ -40,6 +40,7 @@ inline constexpr std::tuple k_lists{
     Section{"grip", &Scene::grips, "a region in which everything follows a prescribed motion"},
     Section{"emitter", &Scene::emitters,
             "pours material: the shape is filled again each time the last filling has moved away by its own length"},
+    Section{"skin", &Scene::skins, "an elastic sheet of triangles on bodies, as fruit has it; needs motion"},
 };
 
 /// Where a shape is put: scaled and turned about its own origin, then moved. Stands beside the shape's own table.

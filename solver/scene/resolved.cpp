@@ -46,6 +46,13 @@ nlohmann::json json_list_member<Body>(const Body& body, const Scene& scene) {
   return object;
 }
 
+template <>
+nlohmann::json json_list_member<Skin>(const Skin& skin, const Scene& scene) {
+  nlohmann::json object = json_members(skin);
+  object["mesh_file"] = json_path_in_scene(skin.mesh_file, scene);
+  return object;
+}
+
 template <class Value>
 nlohmann::json json_section(const Value& value, const Scene&) {
   return json_members(value);

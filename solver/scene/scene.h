@@ -164,6 +164,48 @@ struct Emitter {
   }
 };
 
+/// The shape in which a skin has no stress.
+enum class StressFree { start };
+constexpr auto choice_names(StressFree) { return std::array{"start"}; }
+
+/// [[skin]] - an elastic sheet of triangles on bodies.
+struct Skin {
+  std::vector<double> body = {0};
+  std::filesystem::path mesh_file;
+  ShapePtr only;
+  double depth_dx = 0.4;
+  double young_modulus_Pa = 0;
+  double poisson_ratio = 0.3;
+  double thickness_m = 0;
+  double density_kg_per_m3 = 1000;
+  double permeance = 1;
+  StressFree stress_free = StressFree::start;
+  static constexpr auto parameters() {
+    return std::tuple{
+        Parameter{"body", &Skin::body, "", non_negative, "number of the [[body]] that it covers, from 0 in the order of the file"},
+        Parameter{"mesh_file", &Skin::mesh_file, "", any_number,
+                  "triangles on the body's surface (`bake-mesh skin`); without it they are made for the run's dx, with edges of 0.6 dx"},
+        Parameter{"only", &Skin::only, "", any_number, "only triangles inside this shape are kept: a rim, a half"},
+        Parameter{"depth_dx", &Skin::depth_dx, "dx", Range{0, 2, false, false, "a number from 0 to 2"},
+                  "how deep below the surface its vertices lie; further out they would lose hold of the flesh where it is pulled"},
+        Parameter{"young_modulus_Pa", &Skin::young_modulus_Pa, "Pa", positive, "E_f: Young's modulus", Presence::required},
+        Parameter{"poisson_ratio", &Skin::poisson_ratio, "1", Range{-0.99, 0.5, false, false, "a number from -0.99 to 0.5"},
+                  "nu_f: Poisson's ratio"},
+        Parameter{"thickness_m", &Skin::thickness_m, "m", positive,
+                  "h: thickness; E_f h resists stretching, B = E_f h^3 / (12 (1 - nu_f^2)) bending", Presence::required},
+        Parameter{"density_kg_per_m3", &Skin::density_kg_per_m3, "kg/m^3", positive, "rho_f: density"},
+        Parameter{"permeance", &Skin::permeance, "1", fraction,
+                  "share of what would evaporate through the open surface that passes the skin"},
+        Parameter{"stress_free", &Skin::stress_free, "", any_number, "shape in which it has no stress: that of the start"},
+    };
+  }
+  double mass_per_area() const { return density_kg_per_m3 * thickness_m; }  ///< [kg/m^2]
+  /// B [N m].
+  double bending_stiffness() const {
+    return young_modulus_Pa * thickness_m * thickness_m * thickness_m / (12 * (1 - poisson_ratio * poisson_ratio));
+  }
+};
+
 struct Scene {
   std::string title;
   std::filesystem::path file;        ///< where it was read from
@@ -181,6 +223,7 @@ struct Scene {
   std::vector<Collider> colliders;
   std::vector<Grip> grips;
   std::vector<Emitter> emitters;
+  std::vector<Skin> skins;
   std::vector<std::string> notices;  ///< lines for the author of the file: keys that were read under their former names
 
   bool lists(std::string_view effect) const;                     ///< is the effect on?

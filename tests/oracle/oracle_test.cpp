@@ -198,6 +198,48 @@ motion = [{ time_s = 0 }, { time_s = 0.1, position_m = [0, 0, -0.3] }]
   return all;
 }
 
+/// Skins on bodies, in every combination of effects in which something moves, and with what moves into them.
+std::vector<RandomScene> every_skin() {
+  const std::string skins = R"(
+[[skin]]
+body = 0
+young_modulus_Pa = 2e5
+thickness_m = 0.03
+density_kg_per_m3 = 300
+permeance = 0.3
+[[skin]]
+body = [1, 2]
+only = { half_space = { point_m = [0, 0, 0.08], normal = [0.2, 0.1, 1] } }
+young_modulus_Pa = 1e5
+poisson_ratio = 0.1
+thickness_m = 0.02
+density_kg_per_m3 = 2000
+)";
+  const std::string knife = R"(
+[[collider]]
+shape = { box = { centre_m = [0.023, 0.011, 0.317], half_extents_m = [0.031, 0.3, 0.3] } }
+expels = true
+friction = 0.2
+motion = [{ time_s = 0 }, { time_s = 0.1, position_m = [0, 0, -0.3] }]
+)";
+  std::vector<RandomScene> all;
+  for (RandomScene r : every_model())
+    if (r.effects.find("motion") != std::string::npos && r.motion.empty()) {
+      r.tables = skins;
+      all.push_back(r);
+    }
+  for (RandomScene r : std::vector<RandomScene>{{.name = "pic", .motion = "transfer = \"pic\""},
+                                                {.name = "heavy", .motion = "inertia_scale = 50"},
+                                                {.name = "backward_euler", .heat = "integrator = \"backward_euler\""},
+                                                {.name = "cut", .tables = knife}}) {
+    r.effects = k_everything;
+    r.tables += skins;
+    all.push_back(r);
+  }
+  for (RandomScene& r : all) r.name += "_in_a_skin", r.seed = static_cast<int>(300 + (&r - all.data()));
+  return all;
+}
+
 /// Every form of every equation, in the model of everything, with both kernels.
 std::vector<RandomScene> every_form() {
   const std::vector<RandomScene> forms = {
@@ -234,9 +276,25 @@ std::vector<RandomScene> every_form() {
   return all;
 }
 
+/// What the paper does not have: latent heat of melting, and dough without pores, a fluid once it is warm.
+std::vector<RandomScene> every_addition() {
+  const std::string melts = "transition_heat_J_per_kg = 500\ntransition_from_C = 20\ntransition_to_C = 22";
+  return {{.name = "melting", .effects = k_everything, .material = melts, .seed = 300},
+          {.name = "melting_backward_euler",
+           .effects = k_everything,
+           .heat = "integrator = \"backward_euler\"",
+           .material = melts,
+           .seed = 301},
+          {.name = "never_porous",
+           .effects = "motion, heat, elasticity, plasticity",
+           .material = "yield_stress_Pa = [200, 0, 0, 400]",
+           .overrides = {"material.0.initial_porosity=1e-7", "material.1.initial_porosity=1e-7"},
+           .seed = 302}};
+}
+
 std::vector<RandomScene> every_scene() {
   std::vector<RandomScene> all = every_model();
-  for (const auto& more : {every_form(), every_boundary()}) all.insert(all.end(), more.begin(), more.end());
+  for (const auto& more : {every_form(), every_boundary(), every_skin(), every_addition()}) all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 
@@ -250,7 +308,7 @@ std::vector<RandomScene> at_rest() {
 /// Whatever moves; at the boundaries with cubic kernels, which amplify most.
 std::vector<RandomScene> in_motion() {
   std::vector<RandomScene> all;
-  for (const auto& scenes : {every_model(), every_boundary()})
+  for (const auto& scenes : {every_model(), every_boundary(), every_skin()})
     for (const RandomScene& r : scenes)
       if (r.effects.find("motion") != std::string::npos && (r.effects != k_everything || r.kernel == "cubic")) all.push_back(r);
   return all;

@@ -47,6 +47,7 @@ struct Body {
                              "water_remap_heat_J",
                              "retired_heat_content_J",
                              "emitted_heat_content_J",
+                             "emitted_volume_m3",
                              "retired_particles"})
       columns.emplace_back(name);
     for (const char axis : {'x', 'y', 'z'})
@@ -118,6 +119,7 @@ MetricPlace place_for(const Metric& metric) {
   place.dried_share = 0.5;
   place.material = std::string("batter");
   place.softened_to = 0.5;
+  if (std::string_view(metric.name) == "springback") place.time_s = 1;
   return place;
 }
 

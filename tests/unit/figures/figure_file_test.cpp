@@ -146,6 +146,19 @@ TEST_F(FigureFile, RefusesChartsOfWhatHasNoTimes) {
             "figure.toml:31: chart.1.time_s: the chart is drawn over all times");
 }
 
+TEST_F(FigureFile, RefusesChartsOfOneMetricAgainstNone) {
+  const std::string over_time = "metric = \"heated_share\"\ntemperature_C = 60";
+  std::string text = k_figure;
+  text.replace(text.find(over_time), over_time.size(), "metric = \"height\"\nagainst = \"diameter\"");
+  EXPECT_EQ(read(text).charts[1].against, "diameter");
+  EXPECT_EQ(error_of("column = \"volume_m3\"", "column = \"volume_m3\"\nagainst = \"diameter\""),
+            "figure.toml:25: chart.0.against: needs a metric beside it");
+  EXPECT_EQ(error_of(over_time, "metric = \"height\"\nagainst = \"diametre\""),
+            "figure.toml:30: chart.1.against: unknown metric of a run 'diametre'; did you mean 'diameter'?");
+  EXPECT_EQ(error_of(over_time, "metric = \"height\"\nagainst = \"diameter\"\ntime_s = 1"),
+            "figure.toml:31: chart.1.time_s: the chart shows the end");
+}
+
 TEST_F(FigureFile, RefusesClaimsWithoutOneCondition) {
   const std::string one = "allowed: one condition: expected with tolerance; at_least, at_most or both; greater_than; or order";
   EXPECT_EQ(error_of("greater_than = \"plain\"\nfactor = 1.5\n", ""), "figure.toml:32: claim.0: " + one);

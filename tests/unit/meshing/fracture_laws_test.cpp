@@ -170,8 +170,10 @@ TEST(Fracture, AlongAPlaneMakesOneFlatCrackOfItsArea) {
   EXPECT_EQ(parts.size(), 2u);
 }
 
+Topology one_tet() { return make_topology(TetMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}}); }
+
 TEST(Breaking, NeedsBothBoundsInTwoFramesAndNeverHeals) {
-  const Topology topology = make_topology(TetMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}});
+  const Topology topology = one_tet();
   const auto moved = [&](double x) {
     std::vector<Point> points = topology.mesh.points;
     points[1][0] = x;
@@ -189,6 +191,22 @@ TEST(Breaking, NeedsBothBoundsInTwoFramesAndNeverHeals) {
   EXPECT_EQ(broken({2, 3}, {1, 2.5, 2.5}), -1) << "the gap is too small";
   EXPECT_EQ(broken({2, 3}, {1, 3.5, 3.5}), 2);
   EXPECT_EQ(broken({4, 3}, {1, 3.5, 3.5}), -1) << "the stretch is too small";
+}
+
+TEST(Breaking, WantsAVoidThatDoughHasNotFilledIfAskedTo) {
+  const Topology topology = one_tet();
+  const auto broken = [&](const Vector3& stretch, double shear, double growth) {
+    std::vector<Point> points = topology.mesh.points;
+    for (Point& x : points) x = {stretch[0] * x[0] + shear * x[1], stretch[1] * x[1], stretch[2] * x[2]};
+    Breaking breaking(topology, topology.mesh.points, {2, 0, 1.5});
+    for (int frame = 0; frame < 2; ++frame) breaking.advance(frame, points, std::vector<double>(4, growth));
+    return std::count_if(breaking.broken_at().begin(), breaking.broken_at().end(), [](std::int32_t at) { return at >= 0; });
+  };
+  EXPECT_EQ(broken({3, 1, 1}, 0, 1), 3) << "all edges of the corner that went away";
+  EXPECT_EQ(broken({3, 1, 1}, 0, 3), 0) << "rose along one axis only";
+  EXPECT_EQ(broken({3, 1, 1}, 0, 2.1), 0);
+  EXPECT_EQ(broken({3, 1, 1}, 0, 1.9), 3);
+  EXPECT_EQ(broken({1, 1, 1}, 4, 1), 0) << "sheared";
 }
 
 }  // namespace

@@ -37,17 +37,19 @@ class ATornBrick : public testing::Test {
     write_run("done", 0);
   }
 
-  void write_run(const char* state, double shift) const {
+  /// `growth`: by how much of their first volume particles grow in each frame; without it they have no volumes.
+  void write_run(const char* state, double shift, std::optional<double> growth = {}) const {
     fs::create_directories(folder_ / "run/frames");
-    for (int frame = 0; frame < k_frames; ++frame) write_frame_of(frame, shift);
+    for (int frame = 0; frame < k_frames; ++frame) write_frame_of(frame, shift, growth);
     const json description{{"scene", {{"quality", "standard"}, {"grid", {{"dx_m", k_dx / 2}}}}}, {"summary", {{"state", state}}}};
     std::ofstream(folder_ / "run/run.json") << description;
     std::ofstream(folder_ / "run/ledger.csv") << "frame\n0\n";
   }
 
   /// Particles in reverse order: rows are found by identity.
-  void write_frame_of(int frame, double shift) const {
+  void write_frame_of(int frame, double shift, std::optional<double> growth) const {
     std::vector<float> positions, temperature;
+    const std::vector<float> volumes(mesh_.points.size(), static_cast<float>(1e-6 * (1 + frame * growth.value_or(0))));
     std::vector<std::int64_t> ids;
     for (std::size_t v = mesh_.points.size(); v-- > 0;) {
       const Point x = moved(mesh_.points[v], frame);
@@ -55,8 +57,9 @@ class ATornBrick : public testing::Test {
       temperature.push_back(static_cast<float>(1000 * mesh_.points[v][1]));
       ids.push_back(k_first + static_cast<std::int64_t>(v));
     }
-    write_frame(folder_ / "run/frames" / frame_name(frame), 0.5 * frame,
-                {positions, {{"id", "1", ids}, {"temperature", "C", temperature}}});
+    FrameData written{positions, {{"id", "1", ids}, {"temperature", "C", temperature}}};
+    if (growth) written.columns.push_back({"volume", "m^3", volumes});
+    write_frame(folder_ / "run/frames" / frame_name(frame), 0.5 * frame, written);
   }
 
   FractureOptions options() const {
@@ -137,6 +140,16 @@ TEST_F(ATornBrick, IsJudgedByTheReferenceTimeAndTheBounds) {
   wide.smallest_gap_m = 0.5;
   EXPECT_EQ(report_of(wide)["frames"][0]["broken_edges"], 0) << "the gap never gets that wide";
   EXPECT_NEAR(report_of(options())["smallest_gap_m"].get<double>(), k_smallest_gap * k_dx, 1e-12);
+}
+
+TEST_F(ATornBrick, IsBrokenWhereThereIsAVoidIfAskedTo) {
+  FractureOptions wanted = options();
+  wanted.void_ratio = 1.6;
+  EXPECT_EQ(error_of(wanted), wanted.results.string() + ": found no column 'volume' in its frames, needed for --void-ratio");
+  write_run("done", 0, 0.5 / 4);  // the dough itself grows by half over frames 0 to 4
+  EXPECT_EQ(report_of(wanted)["frames"][0]["pieces"].size(), 2u) << "dough has not grown into the tear";
+  write_run("done", 0, 2);
+  EXPECT_EQ(report_of(wanted)["frames"][0]["broken_edges"], 0) << "dough fills all of it";
 }
 
 TEST_F(ATornBrick, HasWantedFramesOnly) {

@@ -120,6 +120,11 @@ TEST(SceneError, MaterialTemperaturesMustRise) {
             "bread.toml:12: material.dough.temperatures_C.2: found 20 after 20, allowed: rising numbers");
 }
 
+TEST(SceneError, ATransitionNeedsARangeOfTemperatures) {
+  EXPECT_EQ(error_of(k_least + k_dough + "transition_heat_J_per_kg = 5\ntransition_from_C = 30\ntransition_to_C = 30\n"),
+            "bread.toml:14: material.dough.transition_to_C: found 30 after 30, allowed: rising numbers");
+}
+
 TEST(SceneError, OneNumberCannotBeFourRisingTemperatures) {
   EXPECT_EQ(error_of(k_least + k_dough + "temperatures_C = 20\n"),
             "bread.toml:12: material.dough.temperatures_C: found 20 after 20, allowed: rising numbers");
