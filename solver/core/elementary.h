@@ -97,11 +97,4 @@ inline double angle(double y, double x) {
   return 8 * (t + t * sum);
 }
 
-/// The angle [rad] from the x axis to (x, y), from -pi to pi, as std::atan2; 0 for the origin.
-inline double direction(double y, double x) {
-  if (x == 0 && y == 0) return 0;
-  const double within = angle(std::abs(y), std::abs(x)), whole = x < 0 ? std::numbers::pi - within : within;
-  return y < 0 ? -whole : whole;
-}
-
 }  // namespace bake::elementary
