@@ -109,8 +109,8 @@ std::array<double, 2> axis_of(const Results& run) {
   const auto positions = run.frame(0).positions();
   std::array<double, 2> sum{};
   for (std::size_t i = 0; i < positions.size(); i += 3) {
-    sum[0] += static_cast<double>(positions[i]);
-    sum[1] += static_cast<double>(positions[i + 1]);
+    sum[0] += positions[i];
+    sum[1] += positions[i + 1];
   }
   const std::size_t count = positions.size() / 3;
   return {sum[0] / static_cast<double>(count), sum[1] / static_cast<double>(count)};

@@ -23,9 +23,10 @@ class CheckedFrame {
 
   double time_s() const { return reader_.time_s(); }
   std::size_t particles() const { return reader_.particles(); }
-  std::vector<float> positions() const;  ///< x, y, z of each particle [m]
+  std::vector<double> positions() const;  ///< x, y, z of each particle [m]
   /// A column with one number per particle. Throws InputError if there is none of that name.
   std::vector<float> column(const std::string& name) const;
+  bool has(const std::string& name) const { return reader_.has(name); }
   std::vector<std::int64_t> identities() const { return reader_.identities(); }
   /// Row of each particle first, first + 1, ..., first + count - 1; -1 for those that are not in the frame.
   std::vector<std::int64_t> rows_by_identity(std::int64_t first, std::size_t count) const { return reader_.rows_by_identity(first, count); }
@@ -36,7 +37,7 @@ class CheckedFrame {
 };
 
 /// The place of the particle in a row of CheckedFrame::positions.
-inline Vector3 position(const std::vector<float>& positions, std::size_t row) {
+inline Vector3 position(const std::vector<double>& positions, std::size_t row) {
   return {positions[3 * row], positions[3 * row + 1], positions[3 * row + 2]};
 }
 

@@ -40,7 +40,7 @@ class Loader {
       : shown_(shown), view_(view), settings_(settings), histories_(histories) {}
 
   PictureObject load() {
-    if (shown_.is_frame() && settings_.particles == ParticleShape::spheres) return {{}, {spheres()}};
+    if (shown_.is_frame() && settings_.particles == ParticleShape::spheres) return spheres();
     return painted(parts_of(shown_.surface(settings_.spacing_m.value_or(0))));
   }
 
@@ -85,6 +85,7 @@ class Loader {
     });
     PictureObject object;
     for (const Part& part : parts) object.meshes.push_back(triangles(part, size, low, high));
+    if (settings_.paint == Paint::field) object.bar = bar(low, high, parts.front().mesh.find(settings_.field)->unit);
     return object;
   }
 
@@ -155,8 +156,13 @@ class Loader {
     return object;
   }
 
-  SphereObject spheres() {
+  ColourBar bar(double low, double high, const std::string& unit) const {
+    return {settings_.map, low, high, label_of_field(settings_.field, unit)};
+  }
+
+  PictureObject spheres() {
     std::vector<double> values;
+    std::string unit;
     const Particles& particles = shown_.particles();
     if (settings_.paint == Paint::browning) {
       values = history().degrees(particles.ids);
@@ -164,6 +170,7 @@ class Loader {
       const MeshField* field = particles.find(settings_.field);
       if (!field || field->components != 1) shown_.refuse_field(settings_.field, particles.fields);
       values = field->values;
+      unit = field->unit;
     }
     const auto [low, high] = range([&](auto visit) { std::for_each(values.begin(), values.end(), visit); });
     SphereObject object;
@@ -179,7 +186,9 @@ class Loader {
     if (object.spheres.empty())
       throw InputError(
           fmt::format("{}: cut_point_m, cut_normal: the cut leaves nothing of {}", view_.file.string(), shown_.file().string()));
-    return object;
+    PictureObject all{{}, {std::move(object)}, {}};
+    if (settings_.paint == Paint::field) all.bar = bar(low, high, unit);
+    return all;
   }
 
   static Eigen::Vector3d as_eigen(const Vector3& v) { return {v[0], v[1], v[2]}; }
@@ -215,7 +224,9 @@ PictureObject load_object(const std::filesystem::path& file, const std::filesyst
   Shown shown(file, results, threads);
   if (settings.material) shown.keep_material(*settings.material);
   for (const char axis : settings.mirrored) shown.mirror(axis - 'x');
-  return Loader(shown, view, settings, histories).load();
+  PictureObject object = Loader(shown, view, settings, histories).load();
+  object.time_s = shown.time_s();
+  return object;
 }
 
 }  // namespace bake

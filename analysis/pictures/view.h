@@ -28,6 +28,7 @@ struct PictureSettings {
   int height_px = 960;
   int samples = 64;
   double exposure = 1;
+  bool colour_bar = true;
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"width_px", &PictureSettings::width_px, "", pixels, "width of the picture"},
@@ -35,6 +36,8 @@ struct PictureSettings {
         Parameter{"samples", &PictureSettings::samples, "", whole_positive,
                   "paths of light per pixel: 16 to look, 64 to review, 256 to print"},
         Parameter{"exposure", &PictureSettings::exposure, "1", positive, "brightness of the whole picture"},
+        Parameter{"colour_bar", &PictureSettings::colour_bar, "", any_number,
+                  "show what the colours of an object with paint = \"field\" stand for, with its range and time"},
     };
   }
 };

@@ -50,7 +50,7 @@ void make_small(const FigurePaths& paths, const FigurePicture& picture, const fs
   const std::vector<std::string> words{"jpeg", png.string(), "--out", made.string()};
   const nlohmann::json from{words, stamp(png)};
   if (is_up_to_date(made, from)) return;
-  call_program("bake-render", words, paths.item_folder() / (picture.name + ".jpg.log"));
+  call_program("bake-render", words, paths.item_folder() / (picture.name + ".jpg.log"), paths.options.quiet);
   record_sources(made, from);
 }
 
@@ -63,7 +63,7 @@ void make_picture(const FigurePaths& paths, const FigurePicture& picture) {
   if (is_up_to_date(made, from)) return make_small(paths, picture, made);
   say(paths.options, fmt::format("picture {}", picture.name));
   if (paths.options.threads > 0) words.insert(words.end(), {"--threads", std::to_string(paths.options.threads)});  // same picture
-  call_program("bake-render", words, paths.item_folder() / (picture.name + ".log"));
+  call_program("bake-render", words, paths.item_folder() / (picture.name + ".log"), paths.options.quiet);
   record_sources(made, from);
   make_small(paths, picture, made);
 }

@@ -9,6 +9,7 @@
 #include "experiments/report/sources.h"
 #include "experiments/report/statements.h"
 #include "solver/core/errors.h"
+#include "solver/io/json_fault.h"
 #include "solver/io/provenance.h"
 
 namespace bake::report {
@@ -139,7 +140,7 @@ Html section_of(const ReportedItem& item, std::vector<Html>& data) {
   try {
     return item_section(item, data);
   } catch (const json::exception& error) {
-    throw InputError(fmt::format("{}: not what bake figure writes: {}", (item.folder / "claims.json").string(), error.what()));
+    throw InputError(fmt::format("{}: not what bake figure writes: {}", (item.folder / "claims.json").string(), json_fault(error)));
   }
 }
 

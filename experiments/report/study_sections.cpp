@@ -7,6 +7,7 @@
 
 #include "experiments/report/sections.h"
 #include "solver/core/errors.h"
+#include "solver/io/json_fault.h"
 #include "solver/scene/entry.h"
 
 namespace bake::report {
@@ -44,7 +45,7 @@ std::optional<json> read_json(const std::filesystem::path& file) {
   try {
     return json::parse(read_text_file(file));
   } catch (const json::exception& error) {
-    throw InputError(fmt::format("{}: damaged: {}", file.string(), error.what()));
+    throw InputError(fmt::format("{}: damaged: {}", file.string(), json_fault(error)));
   }
 }
 

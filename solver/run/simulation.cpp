@@ -57,6 +57,8 @@ class SimulationOf final : public Simulation {
     engine_.read(in);
     const auto poured = in.array<std::int64_t>("poured");
     if (poured.size() != emitters_.size()) throw InputError("the checkpoint has other emitters than the scene");
+    if (std::any_of(poured.begin(), poured.end(), [](std::int64_t count) { return count < 0; }))
+      throw InputError("the checkpoint has an emitter that has poured less than nothing");
     for (std::size_t i = 0; i < emitters_.size(); ++i) emitters_[i]->skip_to(poured[i]);
   }
 
@@ -146,7 +148,9 @@ class SimulationOf final : public Simulation {
     const auto& shown = engine_.physics().frame_columns;
     const bool has_velocity = engine_.velocity().size() > 0;
     FrameData frame;
-    frame.positions.resize(3 * n);
+    const bool wide = stores_double_positions(std::is_same_v<Real, double>, farthest_coordinate(), scene_.dx());
+    std::vector<float> narrow_positions(wide ? 0 : 3 * n);
+    std::vector<double> wide_positions(wide ? 3 * n : 0);
     std::vector<std::int64_t> id(n), material(n);
     std::vector<float> v(has_velocity ? 3 * n : 0);
     std::vector<std::vector<float>> scalars(shown.size(), std::vector<float>(n));
@@ -159,7 +163,11 @@ class SimulationOf final : public Simulation {
           id[row] = static_cast<std::int64_t>(identity);
           material[row] = store.tiles[t].material;
           const Point x = position(p);
-          for (std::size_t d = 0; d < 3; ++d) frame.positions[3 * row + d] = static_cast<float>(x[d]);
+          for (std::size_t d = 0; d < 3; ++d)
+            if (wide)
+              wide_positions[3 * row + d] = x[d];
+            else
+              narrow_positions[3 * row + d] = static_cast<float>(x[d]);
           if (!has_velocity) return;
           const Vector3 v_p = velocity(p);
           for (std::size_t d = 0; d < 3; ++d) v[3 * row + d] = static_cast<float>(v_p[d]);
@@ -173,6 +181,10 @@ class SimulationOf final : public Simulation {
         }
       });
     });
+    if (wide)
+      frame.positions = std::move(wide_positions);
+    else
+      frame.positions = std::move(narrow_positions);
     frame.columns.push_back({"id", "1", std::move(id)});
     frame.columns.push_back({"material", "1", std::move(material)});
     if (has_velocity || (n == 0 && engine_.physics().moves)) frame.columns.push_back({"velocity", "m/s", std::move(v), 3});
@@ -217,6 +229,13 @@ class SimulationOf final : public Simulation {
   }
 
  private:
+  /// [m] of the domain from the origin along an axis
+  double farthest_coordinate() const {
+    double farthest = 0;
+    for (int d = 0; d < 3; ++d) farthest = std::max({farthest, std::abs(scene_.domain.min_m[d]), std::abs(scene_.domain.max_m[d])});
+    return farthest;
+  }
+
   std::vector<double> skin_velocities(const Sheets<Real>& skins) const {
     std::vector<double> all(3 * skins.vertices(), 0);
     const auto& store = engine_.store();
@@ -234,7 +253,7 @@ class SimulationOf final : public Simulation {
   double event_after(double time) const {
     double next = engine_.next_event(time);
     for (const auto& emitter : emitters_)
-      if (emitter->next_time() > time) next = std::min(next, emitter->next_time());
+      if (emitter->next_time() > time * (1 + k_rounding)) next = std::min(next, emitter->next_time());
     return next;
   }
   void pour_due() {

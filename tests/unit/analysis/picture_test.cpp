@@ -173,6 +173,37 @@ TEST_F(Pictures, ShowOneMaterialOfAFrame) {
   EXPECT_TRUE(has(refusal(folder / "surface.hdf", folder / "two"), "material: has no particles of materials"));
 }
 
+TEST_F(Pictures, PaintedByAFieldSayWhatTheirColoursStandFor) {
+  view.picture.width_px = 320, view.picture.height_px = 240, view.picture.samples = 1;
+  view.objects[0].paint = Paint::field;
+  for (const ParticleShape shape : {ParticleShape::surface, ParticleShape::spheres}) {
+    view.objects[0].particles = shape;
+    Histories histories;
+    const PictureObject object = load_object(folder / "run/frames/0002.hdf", {}, view, view.objects[0], histories, 1);
+    EXPECT_EQ(object.bar, (ColourBar{ColourMap::viridis, 60, 150, "temperature [C]"}));
+    EXPECT_EQ(object.time_s, 2);
+  }
+  view.objects[0].range_high = 200;
+  const Image with = take(folder / "run/frames/0002.hdf");
+  // the bar's ends, in the upper left corner
+  EXPECT_EQ(with.at(16, 10), pixel(map_colour(ColourMap::viridis, 0.5f / 128)));
+  EXPECT_EQ(with.at(143, 10), pixel(map_colour(ColourMap::viridis, 127.5f / 128)));
+  view.picture.colour_bar = false;
+  const Image without = take(folder / "run/frames/0002.hdf");
+  EXPECT_NE(without.at(16, 10), with.at(16, 10));
+  EXPECT_EQ(without.at(300, 200), with.at(300, 200));
+  view.picture.colour_bar = true;
+  view.objects[0].paint = Paint::constant;
+  EXPECT_NE(take(folder / "run/frames/0002.hdf").at(16, 10), with.at(16, 10));
+}
+
+TEST_F(Pictures, OfARunWithoutHeatSayHowToPaintThem) {
+  std::filesystem::create_directories(folder / "cold/frames");
+  write_frame(folder / "cold/frames/0000.hdf", 0, {ball.positions, {{"id", "", ball.ids, 1}, {"volume", "m^3", ball.volumes, 1}}});
+  write_series(folder / "cold/frames.hdf.series", {{"frames/0000.hdf", 0}});
+  EXPECT_TRUE(has(refusal(folder / "cold/frames/0000.hdf"), "a run without heat does not brown: set paint = \"constant\" or \"field\""));
+}
+
 TEST_F(Pictures, CompleteWhatWasRunBetweenMirrors) {
   Ball quarter = ball;
   quarter.positions.clear();

@@ -141,6 +141,15 @@ TEST(SceneError, MaterialsMustHoldMoreThanTheirWater) {
             "allowed: less water than mixture");
 }
 
+TEST(SceneError, WaterAndGasMustNotFillMoreThanTheVolume) {
+  EXPECT_EQ(error_of("effects = [\"water\"]\n" + k_least + k_dough + "initial_porosity = 0.7\ninitial_saturation = 0.4\n"),
+            "bread.toml:14: material.dough.initial_saturation: found 0.4 of the volume water and 0.7 gas (initial_porosity), "
+            "allowed: together at most 1");
+  EXPECT_EQ(error_of(k_least + k_dough + "initial_porosity = 0.7\n[[body]]\nmaterial = \"dough\"\nsaturation = 0.5\n" + k_ball),
+            "bread.toml:15: body.0.saturation: found 0.5 of the volume water and 0.7 gas (the material's initial_porosity), "
+            "allowed: together at most 1");
+}
+
 TEST(SceneError, BodyNeedsAKnownMaterial) {
   EXPECT_EQ(error_of(k_least + k_dough + "[[body]]\nmaterial = \"duogh\"\n" + k_ball),
             "bread.toml:13: body.0.material: unknown material 'duogh', did you mean 'dough'?");
@@ -189,6 +198,8 @@ TEST(SceneError, EmitterMustPour) {
   EXPECT_EQ(error_of(emitter + "velocity_m_per_s = [0, 0.0, 0]\n"),
             "bread.toml:15: emitter.0.velocity_m_per_s: found [0, 0, 0], allowed: a velocity that is not zero");
   EXPECT_EQ(error_of(emitter), "bread.toml:12: emitter.0.velocity_m_per_s: missing, allowed: [x, y, z], each any finite number");
+  EXPECT_NE(error_of(emitter + "velocity_m_per_s = [0, 0, 1]\nfrom_s = -1\n").find("emitter.0.from_s: found -1, allowed: 0 or later"),
+            std::string::npos);
   EXPECT_NE(error_of(emitter + "velocity_m_per_s = [0, 0, 1]\nuntil_s = -1\n").find("emitter.0.until_s: found from_s = 0"),
             std::string::npos);
 }

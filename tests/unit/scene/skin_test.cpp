@@ -63,14 +63,14 @@ TEST(ASkinOfAScene, IsRefusedInOneLineThatSaysWhatIsAllowed) {
   expect(k_flesh + "[[skin]]\nthickness_m = 1e-3", "skin.0.young_modulus_Pa");
   expect(k_flesh + k_skin + "permeance = 1.5", "a number from 0 to 1");
   expect(k_flesh + k_skin + "poisson_ratio = 0.6", "from -0.99 to 0.5");
-  expect(k_flesh + k_skin + "stress_free = \"end\"", "\"start\"");
+  expect(k_flesh + k_skin + "stress_free = \"end\"", "unknown name 'end', allowed: start");
   expect(k_flesh + k_skin + "body = 2", "found 2, allowed: whole numbers from 0 to 1");
   expect(k_flesh + k_skin + "body = 0.5", "found 0.5, allowed: whole numbers from 0 to 1");
   expect(k_flesh + k_skin + "body = []", "found none, allowed: numbers of bodies");
   expect(k_flesh + k_skin + "body = [0, 0]", "found 0 again, allowed: each body once");
   expect(k_flesh + k_skin + "body = 1", "found body.1, whose particles come from a file, allowed: with it a mesh_file");
   expect(k_flesh + k_skin + "body = [0, 1]\nmesh_file = \"skin.hdf\"", "found one mesh for 2 bodies");
-  expect("effects = [\"heat\"]\n" + k_flesh.substr(k_flesh.find("[run]")) + k_skin, "found a skin without the effect 'motion'");
+  expect("effects = []\n" + k_flesh.substr(k_flesh.find("[run]")) + k_skin, "found a skin without the effect 'motion'");
   expect(k_flesh + k_skin + "[motion]\ntransfer = \"flip\"", "allowed: \"apic\" or \"pic\"");
   expect(k_flesh + k_skin + "[surface]\nform = \"published\"", "allowed: \"standard\"");
 }
