@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <limits>
 
 #include "analysis/browning/browning.h"
@@ -23,8 +24,8 @@ bool holds_particles(const std::filesystem::path& file) {
     throw InputError(
         fmt::format("{}: neither a frame nor a mesh, allowed: a file of bake run, bake-mesh or bake-render surface", file.string()));
   const auto types = reader.array<std::uint8_t>("VTKHDF/Types");
-  constexpr std::uint8_t k_poly_vertex = 2;
-  return types.size() == 1 && types.front() == k_poly_vertex;
+  constexpr std::uint8_t k_vertex = 1, k_poly_vertex = 2;  // one for each particle; for all of them in older files
+  return std::all_of(types.begin(), types.end(), [](std::uint8_t type) { return type == k_vertex || type == k_poly_vertex; });
 }
 
 std::filesystem::path run_around(const std::filesystem::path& frame) {
