@@ -152,6 +152,18 @@ std::vector<std::array<Eigen::Vector3f, 3>> corner_normals(const Mesh& triangles
   return normals;
 }
 
+void move_outwards(Mesh& triangles, double distance_m) {
+  const auto normals = corner_normals(triangles, 180);
+  std::vector<bool> moved(triangles.vertex_count());
+  for (std::size_t i = 0; i < triangles.cells.size(); ++i) {
+    const auto v = static_cast<std::size_t>(triangles.cells[i]);
+    if (moved[v]) continue;
+    moved[v] = true;
+    for (std::size_t d = 0; d < 3; ++d)
+      triangles.points[3 * v + d] += distance_m * static_cast<double>(normals[i / 3][i % 3][static_cast<Eigen::Index>(d)]);
+  }
+}
+
 CutMesh cut(const Mesh& triangles, const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double longest_edge_m) {
   if (normal.norm() == 0) throw std::invalid_argument("a cut needs a normal that is not zero");
   vtkNew<vtkPlane> plane;

@@ -17,6 +17,9 @@ Mesh boundary_of_tetrahedra(const Mesh& tetrahedra);
 /// `crease_deg` of the triangle's own. Edges that are sharper stay sharp.
 std::vector<std::array<Eigen::Vector3f, 3>> corner_normals(const Mesh& triangles, double crease_deg);
 
+/// Moves every vertex along the mean normal of its triangles.
+void move_outwards(Mesh& triangles, double distance_m);
+
 struct CutMesh {
   Mesh kept;
   Mesh face;  ///< on the plane, in triangles with no edge longer than was asked for, without fields; may be empty

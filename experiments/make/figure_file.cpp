@@ -61,7 +61,9 @@ void check(const SceneEntry& entry, const FigurePicture& picture, const Figure& 
   if (!fs::is_regular_file(view_file(figure, picture)))
     entry.complain_at(
         "view", fmt::format("found '{}', allowed: a view ({} is not there)", quotable(picture.view), view_file(figure, picture).string()));
-  for (const std::string& name : picture.of) check_known(entry, "of", name, "run or surface", runs_and_surfaces(figure));
+  auto known = runs_and_surfaces(figure);
+  for (const FigureRun& run : figure.runs) known.push_back(run.name + std::string(k_skin_of));
+  for (const std::string& name : picture.of) check_known(entry, "of", name, "run, surface or skin", known);
 }
 
 /// Checks that the metric is one of a run at a time, which the chart sets.
