@@ -11,6 +11,7 @@
 
 #include "solver/core/errors.h"
 #include "solver/io/frames.h"
+#include "solver/io/json_fault.h"
 
 namespace bake {
 namespace {
@@ -25,7 +26,7 @@ std::vector<double> frame_times(const std::filesystem::path& results) {
     const nlohmann::json series = nlohmann::json::parse(in);
     for (const auto& entry : series.at("files")) times.push_back(entry.at("time").get<double>());
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{}: not a list of frames: {}", file.string(), error.what()));
+    throw InputError(fmt::format("{}: not a list of frames: {}", file.string(), json_fault(error)));
   }
   if (times.empty()) throw InputError(fmt::format("{}: the run has written no frame yet", results.string()));
   return times;
@@ -67,7 +68,11 @@ void BrowningHistory::advance_to(int frame) {
 void BrowningHistory::take(int frame) {
   const FrameReader reader(results_ / "frames" / frame_name(frame));
   const std::vector<std::int64_t> ids = reader.identities();
-  const std::vector<float> temperatures = reader.column("temperature"), positions = reader.positions();
+  if (!reader.has("temperature"))
+    throw InputError(fmt::format("{}: a run without heat does not brown: set paint = \"constant\" or \"field\" in the view's [[object]]",
+                                 results_.string()));
+  const std::vector<float> temperatures = reader.column("temperature");
+  const std::vector<double> positions = reader.positions();
   const std::vector<float> water = reader.has("water_mass") ? reader.column("water_mass") : std::vector<float>();
   const double passed_s = taken_ < 0 ? 0 : reader.time_s() - time_s_;
   for (std::size_t row = 0; row < ids.size(); ++row) {

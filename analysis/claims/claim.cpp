@@ -88,7 +88,7 @@ bool is_within_bounds(const Claim& claim, double measured) {
 }
 
 ClaimVerdict verdict(const Claim& claim, const MetricWords& words, const std::string& of, const Measurement& m) {
-  return {claim.metric, words.meaning, of, words.unit, "", claim.why, claim.kind, m.value, false, m.problem};
+  return {claim.metric, words.meaning, of, words.unit, "", claim.why, claim.kind, m.value, false, claim.says, {}, {}, m.problem};
 }
 
 /// Judges one measured number against a number or another run.
@@ -96,12 +96,15 @@ ClaimVerdict judge_one(const Claim& claim, const MetricWords& words, const std::
   ClaimVerdict v = verdict(claim, words, of, measure(claim, of));
   if (claim.greater_than.empty()) {
     v.condition = words_of_bounds(claim);
+    v.low = claim.expected ? *claim.expected - *claim.tolerance : claim.at_least;
+    v.high = claim.expected ? *claim.expected + *claim.tolerance : claim.at_most;
     v.holds = v.problem.empty() && is_within_bounds(claim, v.measured);
     return v;
   }
   const Measurement other = measure(claim, claim.greater_than);
   v.condition = fmt::format("> {}{} ({:.4g})", claim.factor == 1 ? "" : fmt::format("{:g} x ", claim.factor), claim.greater_than,
                             claim.factor * other.value);
+  v.low = claim.factor * other.value;
   if (v.problem.empty()) v.problem = other.problem;
   v.holds = v.problem.empty() && v.measured > claim.factor * other.value;
   return v;
@@ -117,6 +120,7 @@ std::vector<ClaimVerdict> judge_order(const Claim& claim, const MetricWords& wor
     v.holds = v.problem.empty();
     if (!verdicts.empty() && v.holds) {
       const double before = verdicts.back().measured;
+      (*claim.order == Trend::rising ? v.low : v.high) = before;
       v.holds = std::isfinite(before) && (*claim.order == Trend::rising ? v.measured > before : v.measured < before);
     }
     verdicts.push_back(v);

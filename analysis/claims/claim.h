@@ -41,6 +41,7 @@ struct Claim {
   std::optional<Quality> quality;
   Evidence kind{};
   std::string why;
+  std::string says;
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"metric", &Claim::metric, "", any_number, "what is measured; without `of`, a number that the item's function computes",
@@ -57,6 +58,8 @@ struct Claim {
         Parameter{"quality", &Claim::quality, "", any_number, "it is judged at this quality only; needed of a regression"},
         Parameter{"kind", &Claim::kind, "", any_number, "what evidence it is", Presence::required},
         Parameter{"why", &Claim::why, "", any_number, "the reason for the condition and its numbers", Presence::required},
+        Parameter{"says", &Claim::says, "", any_number,
+                  "the paper's own words that are measured; claims with the same words are one statement on the report's page"},
     };
   }
   /// `asked`: "draft".
@@ -83,7 +86,9 @@ struct ClaimVerdict {
   Evidence kind;
   double measured;
   bool holds;
-  std::string problem = {};  ///< why there is no number, of this run or of the one it is compared with; then it does not hold
+  std::string says = {};
+  std::optional<double> low = {}, high = {};  ///< what it must not be below or above
+  std::string problem = {};                   ///< why there is no number, of this run or of the one it is compared with; then it does not hold
 };
 
 /// Unit and meaning of what is measured.

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "analysis/claims/finite.h"
+#include "solver/io/json_fault.h"
 
 namespace bake {
 namespace {
@@ -75,7 +76,7 @@ Fracture read_fracture(const std::filesystem::path& file) {
     if (fracture.frames.empty()) throw InputError(fmt::format("{}: found no frame", file.string()));
     return fracture;
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{}: not a description of fracture surfaces: {}", file.string(), error.what()));
+    throw InputError(fmt::format("{}: not a description of fracture surfaces: {}", file.string(), json_fault(error)));
   }
 }
 

@@ -109,8 +109,8 @@ std::array<double, 2> axis_of(const Results& run) {
   const auto positions = run.frame(0).positions();
   std::array<double, 2> sum{};
   for (std::size_t i = 0; i < positions.size(); i += 3) {
-    sum[0] += static_cast<double>(positions[i]);
-    sum[1] += static_cast<double>(positions[i + 1]);
+    sum[0] += positions[i];
+    sum[1] += positions[i + 1];
   }
   const std::size_t count = positions.size() / 3;
   return {sum[0] / static_cast<double>(count), sum[1] / static_cast<double>(count)};
@@ -142,10 +142,13 @@ double radius_of_share(const CheckedFrame& frame, const std::array<double, 2>& a
   return std::nan("");
 }
 
+std::array<double, 2> axis_at(const Results& run, const MetricPlace& at) {
+  return at.point_m ? std::array{(*at.point_m)[0], (*at.point_m)[1]} : axis_of(run);
+}
+
 double diameter(const Results& run, const MetricPlace& at) {
   constexpr double k_share = 0.99;
-  const auto axis = at.point_m ? std::array{(*at.point_m)[0], (*at.point_m)[1]} : axis_of(run);
-  return 2 * radius_of_share(run.frame(run.frame_at(at.time_s)), axis, k_share);
+  return 2 * radius_of_share(run.frame(run.frame_at(at.time_s)), axis_at(run, at), k_share);
 }
 
 double height_over_diameter(const Results& run, const MetricPlace& at) {
@@ -155,7 +158,7 @@ double height_over_diameter(const Results& run, const MetricPlace& at) {
 /// The top within a radius of the axis: the highest particle of each ring of equal area.
 std::vector<std::array<double, 2>> top_profile(const Results& run, const MetricPlace& at) {
   constexpr std::size_t k_rings = 8;
-  const auto axis = axis_of(run);
+  const auto axis = axis_at(run, at);
   std::vector<std::array<double, 2>> highest(k_rings, {0, -k_infinity});
   const auto positions = run.frame(run.frame_at(at.time_s)).positions();
   for (std::size_t row = 0; row < positions.size() / 3; ++row) {
@@ -189,6 +192,30 @@ double top_curvature(const Results& run, const MetricPlace& at) {
 double dome_rise(const Results& run, const MetricPlace& at) {
   const auto top = top_profile(run, at);
   return top.size() > 1 ? (top.front()[1] - top.back()[1]) / (2 * *at.radius_m) : std::nan("");
+}
+
+/// The top over the inner half of the radius and the top over the next quarter, each the mean of rings of equal width in which the highest
+/// particle stands; their difference over the height. A paraboloid has 0.27, whatever its height, a flat top 0, a dent less. The outer
+/// quarter, where every body goes down to its rim, does not count.
+double doming(const Results& run, const MetricPlace& at) {
+  constexpr std::size_t k_rings = 8, k_inner = 4, k_outer = 6;
+  const double width = diameter(run, at) / 2 / k_rings;
+  const auto axis = axis_at(run, at);
+  std::array<double, k_outer> top;
+  top.fill(-k_infinity);
+  const CheckedFrame frame = run.frame(run.frame_at(at.time_s));
+  const auto positions = frame.positions();
+  double lowest = k_infinity;
+  for (std::size_t row = 0; row < positions.size() / 3; ++row) {
+    const Vector3 place = position(positions, row);
+    lowest = std::min(lowest, place[2]);
+    const double ring = distance_from(axis, place) / width;
+    if (ring < k_outer) top[static_cast<std::size_t>(ring)] = std::max(top[static_cast<std::size_t>(ring)], place[2]);
+  }
+  const double inner = std::accumulate(top.begin(), top.begin() + k_inner, 0.0) / k_inner;
+  const double outer = std::accumulate(top.begin() + k_inner, top.end(), 0.0) / (k_outer - k_inner);
+  const double height = *std::max_element(top.begin(), top.end()) - lowest;
+  return std::isfinite(inner) && std::isfinite(outer) && height > 0 ? (inner - outer) / height : std::nan("");
 }
 
 }  // namespace
@@ -265,7 +292,7 @@ std::vector<Metric> frame_metrics() {
        top_curvature,
        nullptr,
        {"radius_m"},
-       {"time_s"}},
+       {"point_m", "time_s"}},
       {"dome_rise",
        "1",
        any_number,
@@ -273,7 +300,16 @@ std::vector<Metric> frame_metrics() {
        dome_rise,
        nullptr,
        {"radius_m"},
-       {"time_s"}},
+       {"point_m", "time_s"}},
+      {"doming",
+       "1",
+       any_number,
+       "mean height of the top over the inner half of the radius, less that over the next quarter, over the height: 0.27 for a paraboloid, "
+       "0 for a flat top, less for a dented one; the radius is half the diameter",
+       doming,
+       nullptr,
+       {},
+       {"point_m", "time_s"}},
   };
 }
 

@@ -19,6 +19,15 @@ double gain(const Results& run, std::string_view column) {
   return before > 0 ? run.last(column) / before : std::nan("");
 }
 
+/// The mass that there was at the start and that was poured.
+double mass_of(const Results& run, std::string_view column) { return run.first(column) + run.last(fmt::format("emitted_{}", column)); }
+
+double volume_gain(const Results& run, const MetricPlace&) {
+  run.expect_change();
+  const double before = run.first("volume_m3") + run.last("emitted_volume_m3");
+  return before > 0 ? run.last("volume_m3") / before : std::nan("");
+}
+
 /// The change of momentum along `axis` that the booked impulses do not explain, divided by the mass.
 double momentum_drift(const Results& run, char axis) {
   const std::string a(1, axis);
@@ -26,15 +35,23 @@ double momentum_drift(const Results& run, char axis) {
   const auto momentum = name("momentum"), impulse = name("impulse"), remap = name("water_remap_momentum"),
              retired = name("retired_momentum"), emitted = name("emitted_momentum");
   return run.drift({{momentum.c_str(), 1}, {impulse.c_str(), -1}, {remap.c_str(), -1}, {retired.c_str(), 1}, {emitted.c_str(), -1}}) /
-         (run.first("solid_mass_kg") + run.first("water_mass_kg"));
+         (mass_of(run, "solid_mass_kg") + mass_of(run, "water_mass_kg"));
+}
+
+double springback(const Results& run, const MetricPlace& at) {
+  run.expect_change();
+  const auto height = [&](const std::optional<double>& time) { return run.at("height_m", static_cast<std::size_t>(run.frame_at(time))); };
+  const double before = height(at.reference_time_s.value_or(0)), pressed = height(at.time_s), lost = before - pressed;
+  return lost != 0 ? (run.last("height_m") - pressed) / lost : std::nan("");
 }
 
 }  // namespace
 
 std::vector<Metric> ledger_metrics() {
   return {
-      {"volume_gain", "1", non_negative, "volume at the end over volume at the start",
-       [](const Results& run, const MetricPlace&) { return gain(run, "volume_m3"); }},
+      {"volume_gain", "1", non_negative, "volume at the end over volume at the start and of what was poured", volume_gain},
+      {"poured_mass", "kg", non_negative, "mass of the solid that emitters have poured until the end",
+       [](const Results& run, const MetricPlace&) { return run.last("emitted_solid_mass_kg"); }},
       {"height_gain", "1", non_negative, "height at the end over height at the start",
        [](const Results& run, const MetricPlace&) { return gain(run, "height_m"); }},
       {"extent_x_gain", "1", non_negative, "extent along x at the end over that at the start",
@@ -44,10 +61,18 @@ std::vector<Metric> ledger_metrics() {
       {"height", "m", non_negative, "height at the end", [](const Results& run, const MetricPlace&) { return run.last("height_m"); }},
       {"largest_height", "m", non_negative, "largest height on the way",
        [](const Results& run, const MetricPlace&) { return largest_of(run.column("height_m")); }},
+      {"springback",
+       "1",
+       any_number,
+       "share of the height that was lost from reference_time_s to time_s and is there again at the end",
+       springback,
+       nullptr,
+       {},
+       {"reference_time_s", "time_s"}},
       {"surface", "m^2", non_negative, "surface that touches air at the end",
        [](const Results& run, const MetricPlace&) { return run.last("surface_m2"); }},
-      {"water_lost_share", "1", non_negative, "evaporated water over the water at the start",
-       [](const Results& run, const MetricPlace&) { return run.last("water_evaporated_kg") / run.first("water_mass_kg"); }},
+      {"water_lost_share", "1", non_negative, "evaporated water over the water at the start and of what was poured",
+       [](const Results& run, const MetricPlace&) { return run.last("water_evaporated_kg") / mass_of(run, "water_mass_kg"); }},
       {"gas_made", "mol", non_negative, "CO2 made until the end",
        [](const Results& run, const MetricPlace&) { return run.last("gas_mol"); }},
       {"coldest", "C", above_absolute_zero, "lowest particle temperature at the end",
@@ -62,12 +87,13 @@ std::vector<Metric> ledger_metrics() {
        [](const Results& run, const MetricPlace&) { return run.last("dissipated_J"); }},
       {"solid_drift", "1", non_negative, "largest unexplained change of the solid's mass, relative",
        [](const Results& run, const MetricPlace&) {
-         return run.drift({{"solid_mass_kg", 1}, {"retired_solid_mass_kg", 1}, {"emitted_solid_mass_kg", -1}}) / run.first("solid_mass_kg");
+         return run.drift({{"solid_mass_kg", 1}, {"retired_solid_mass_kg", 1}, {"emitted_solid_mass_kg", -1}}) /
+                mass_of(run, "solid_mass_kg");
        }},
       {"water_drift", "1", non_negative, "largest unexplained change of the water's mass, relative",
        [](const Results& run, const MetricPlace&) {
          return run.drift({{"water_mass_kg", 1}, {"water_evaporated_kg", 1}, {"retired_water_mass_kg", 1}, {"emitted_water_mass_kg", -1}}) /
-                run.first("water_mass_kg");
+                mass_of(run, "water_mass_kg");
        }},
       {"heat_drift", "1", non_negative, "largest unexplained change of the heat content, over the largest content",
        [](const Results& run, const MetricPlace&) {

@@ -24,6 +24,7 @@ struct MetricPlace {
   std::optional<double> dried_share = {};
   std::optional<std::string> material = {};
   std::optional<double> softened_to = {};
+  std::optional<double> reference_time_s = {};
   std::optional<double> time_s = {};
   static constexpr auto parameters() {
     return std::tuple{
@@ -40,6 +41,8 @@ struct MetricPlace {
                   "share of its water that a particle must have lost to count as dry"},
         Parameter{"material", &MetricPlace::material, "", any_number, "name of a material"},
         Parameter{"softened_to", &MetricPlace::softened_to, "1", open_fraction, "yield stress that counts as soft, over that at the start"},
+        Parameter{"reference_time_s", &MetricPlace::reference_time_s, "s", non_negative,
+                  "time of the frame that counts as the start; the first one unless given"},
         Parameter{"time_s", &MetricPlace::time_s, "s", non_negative, "time of the frame; the last one unless given"},
     };
   }
@@ -77,6 +80,7 @@ Measurement measure(const Metric& metric, const Fracture& surface, const MetricP
 
 /// All metrics: of the ledger, of frames, of fracture surfaces.
 const std::vector<Metric>& all_metrics();
+std::vector<Metric> body_metrics();
 std::vector<Metric> ledger_metrics();
 std::vector<Metric> frame_metrics();
 std::vector<Metric> neck_metrics();

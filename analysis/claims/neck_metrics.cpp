@@ -15,11 +15,11 @@ namespace {
 constexpr std::size_t k_parts = 20;
 
 /// Lowest and highest x. Throws NoNumber if there is no length between them.
-std::pair<double, double> ends_of(const CheckedFrame& frame, const std::vector<float>& positions) {
+std::pair<double, double> ends_of(const CheckedFrame& frame, const std::vector<double>& positions) {
   std::pair ends{k_infinity, -k_infinity};
   for (std::size_t i = 0; i < positions.size(); i += 3) {
-    ends.first = std::min(ends.first, static_cast<double>(positions[i]));
-    ends.second = std::max(ends.second, static_cast<double>(positions[i]));
+    ends.first = std::min(ends.first, positions[i]);
+    ends.second = std::max(ends.second, positions[i]);
   }
   if (!(ends.second > ends.first)) throw NoNumber(fmt::format("found no length along x at {} s, allowed: a body", frame.time_s()));
   return ends;
@@ -29,7 +29,7 @@ std::pair<double, double> ends_of(const CheckedFrame& frame, const std::vector<f
 struct VolumeAlong {
   std::vector<double> x, volume_up_to{0};
 
-  VolumeAlong(const std::vector<float>& positions, const std::vector<float>& volumes) {
+  VolumeAlong(const std::vector<double>& positions, const std::vector<float>& volumes) {
     std::vector<std::pair<double, double>> x_and_volume;
     for (std::size_t row = 0; row < volumes.size(); ++row) x_and_volume.emplace_back(positions[3 * row], volumes[row]);
     std::sort(x_and_volume.begin(), x_and_volume.end());
@@ -64,7 +64,7 @@ double neck_radius(const Results& run, const MetricPlace& at) {
 struct Turn {
   double along = 0, across = 0;
 
-  void add(const float* before, const float* after) {
+  void add(const double* before, const double* after) {
     const double y0 = before[1], z0 = before[2], y = after[1], z = after[2];
     along += y0 * y + z0 * z;
     across += y0 * z - z0 * y;
@@ -80,8 +80,8 @@ std::vector<Turn> turns_of(const CheckedFrame& start, const CheckedFrame& now) {
   const auto rows = rows_at_start(start, now);
   std::vector<Turn> turns(k_parts);
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const float* place = &before[3 * rows[i]];
-    const double share = (static_cast<double>(place[0]) - low) / (high - low);
+    const double* place = &before[3 * rows[i]];
+    const double share = (place[0] - low) / (high - low);
     turns[std::min(k_parts - 1, static_cast<std::size_t>(share * k_parts))].add(place, &after[3 * i]);
   }
   return turns;

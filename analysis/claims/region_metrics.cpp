@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numeric>
 
 #include "analysis/claims/finite.h"
 #include "analysis/claims/metric.h"
@@ -19,7 +21,7 @@ double share_in_box(const Results& run, const MetricPlace& at) {
   return volume_share(frame, [&](std::size_t row) { return is_in_box(position(positions, row), at); });
 }
 
-/// For each particle of `now` whether it started in the box; what was poured later did not.
+/// For each particle of `now` whether it was in the box at the start; what was poured later was not.
 std::vector<bool> started_in_box(const CheckedFrame& start, const CheckedFrame& now, const MetricPlace& at) {
   const auto positions = start.positions();
   std::vector<bool> inside;
@@ -33,7 +35,7 @@ double heated_share_of(const Results& run, int number, const MetricPlace& at) {
   const auto peak = frame.column("peak_temperature");
   const auto is_hot = [&](std::size_t row) { return static_cast<double>(peak[row]) >= *at.temperature_C; };
   if (!at.low_m) return volume_share(frame, is_hot);
-  const auto inside = started_in_box(run.frame(0), frame, at);
+  const auto inside = started_in_box(run.frame(at.reference_time_s ? run.frame_at(at.reference_time_s) : 0), frame, at);
   return volume_share(
       frame, [&](std::size_t row) { return inside[row]; }, is_hot);
 }
@@ -60,6 +62,34 @@ double heating_window(const Results& run, const MetricPlace& at) {
   }
   const double first = time_of_share(times, shares, 0.1);
   return (time_of_share(times, shares, 0.9) - first) / first;
+}
+
+/// Looks at the body from its side, through windows as wide and high as two particles: where one that has not been hot is in front of all
+/// in its window that have, the inside has come through the crust.
+double oozed_share(const Results& run, const MetricPlace& at) {
+  constexpr double k_window = 2;
+  const CheckedFrame frame = run.frame(run.frame_at(at.time_s));
+  const auto positions = frame.positions(), volumes = frame.column("volume"), peak = frame.column("peak_temperature");
+  const double all = std::accumulate(volumes.begin(), volumes.end(), 0.0),
+               width = k_window * std::cbrt(all / static_cast<double>(volumes.size()));
+  std::vector<double> radius;
+  std::vector<std::pair<long, long>> window;
+  double widest = 0;
+  for (std::size_t row = 0; row < volumes.size(); ++row) {
+    const Vector3 x = position(positions, row) - at.point_m.value_or(Vector3{0, 0, 0});
+    radius.push_back(std::hypot(x[0], x[1]));
+    widest = std::max(widest, radius.back());
+    window.emplace_back(0, std::lround(std::floor(x[2] / width)));
+  }
+  const double angle = width / widest;
+  std::map<std::pair<long, long>, double> crust;  // how far out it reaches
+  for (std::size_t row = 0; row < volumes.size(); ++row) {
+    const Vector3 x = position(positions, row) - at.point_m.value_or(Vector3{0, 0, 0});
+    window[row].first = std::lround(std::floor(std::atan2(x[1], x[0]) / angle));
+    double& reach = crust[window[row]];
+    if (static_cast<double>(peak[row]) >= *at.temperature_C) reach = std::max(reach, radius[row]);
+  }
+  return volume_share(frame, [&](std::size_t row) { return radius[row] > crust[window[row]]; });
 }
 
 /// The yield stress of fig. 8 of each particle, over that at its material's start temperature.
@@ -124,11 +154,13 @@ std::vector<Metric> region_metrics() {
       {"heated_share",
        "1",
        fraction,
-       "share of the volume that has been at temperature_C: gelatinised, for dough; with low_m and high_m of what started in that box",
+       "share of the volume that has been at temperature_C: gelatinised, for dough; with low_m and high_m of what was in that box at the "
+       "start, or at "
+       "reference_time_s",
        heated_share,
        nullptr,
        {"temperature_C"},
-       {"time_s", "low_m", "high_m"}},
+       {"reference_time_s", "time_s", "low_m", "high_m"}},
       {"heating_window",
        "1",
        non_negative,
@@ -136,6 +168,16 @@ std::vector<Metric> region_metrics() {
        heating_window,
        nullptr,
        {"temperature_C"}},
+      {"oozed_share",
+       "1",
+       fraction,
+       "share of the volume that has not been at temperature_C and is farther from the upright axis through point_m (0 unless given) than "
+       "all "
+       "that has, in the same direction and at the same height: what has come out of a crust",
+       oozed_share,
+       nullptr,
+       {"temperature_C"},
+       {"point_m", "time_s"}},
       {"softened_share",
        "1",
        fraction,

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "analysis/claims/finite.h"
+#include "solver/io/json_fault.h"
 
 namespace bake {
 
@@ -20,13 +21,13 @@ nlohmann::json read_description(const std::filesystem::path& file) {
   try {
     return nlohmann::json::parse(in);
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{}: not a description of a run: {}", file.string(), error.what()));
+    throw InputError(fmt::format("{}: not a description of a run: {}", file.string(), json_fault(error)));
   }
 }
 
 /// Throws NoNumber, for a frame's file and a column of `components` numbers per particle, at the first that is not finite.
-const std::vector<float>& all_finite(const std::vector<float>& values, std::size_t components, const std::filesystem::path& file,
-                                     const std::string& column) {
+template <class T>
+std::vector<T> all_finite(std::vector<T> values, std::size_t components, const std::filesystem::path& file, const std::string& column) {
   for (std::size_t i = 0; i < values.size(); ++i)
     expect_finite(static_cast<double>(values[i]), [&] { return fmt::format("{}: {} in row {}", file.string(), column, i / components); });
   return values;
@@ -50,7 +51,7 @@ std::vector<std::size_t> rows_at_start(const CheckedFrame& start, const CheckedF
   return {found.begin(), found.end()};
 }
 
-std::vector<float> CheckedFrame::positions() const { return all_finite(reader_.positions(), 3, path_, "position"); }
+std::vector<double> CheckedFrame::positions() const { return all_finite(reader_.positions(), 3, path_, "position"); }
 
 std::vector<float> CheckedFrame::column(const std::string& name) const { return all_finite(reader_.column(name), 1, path_, name); }
 

@@ -23,7 +23,7 @@ class CheckedFrame {
 
   double time_s() const { return reader_.time_s(); }
   std::size_t particles() const { return reader_.particles(); }
-  std::vector<float> positions() const;  ///< x, y, z of each particle [m]
+  std::vector<double> positions() const;  ///< x, y, z of each particle [m]
   /// A column with one number per particle. Throws InputError if there is none of that name.
   std::vector<float> column(const std::string& name) const;
   std::vector<std::int64_t> identities() const { return reader_.identities(); }
@@ -36,7 +36,7 @@ class CheckedFrame {
 };
 
 /// The place of the particle in a row of CheckedFrame::positions.
-inline Vector3 position(const std::vector<float>& positions, std::size_t row) {
+inline Vector3 position(const std::vector<double>& positions, std::size_t row) {
   return {positions[3 * row], positions[3 * row + 1], positions[3 * row + 2]};
 }
 

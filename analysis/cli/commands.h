@@ -19,6 +19,8 @@ void add_slice_command(CLI::App& app, Action& action);
 void add_movie_command(CLI::App& app, Action& action);
 void add_montage_command(CLI::App& app, Action& action);
 void add_surface_command(CLI::App& app, Action& action);
+void add_model_command(CLI::App& app, Action& action);
+void add_jpeg_command(CLI::App& app, Action& action);
 void add_explain_command(CLI::App& app, Action& action);
 
 /// The options that pictures and movies share: size, samples, threads, folders of runs, single values of the view.

@@ -13,6 +13,8 @@ int main(int count, char** words) {
   add_movie_command(app, action);
   add_montage_command(app, action);
   add_surface_command(app, action);
+  add_model_command(app, action);
+  add_jpeg_command(app, action);
   add_explain_command(app, action);
   return bake::cli::run_program(app, action, count, words);
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <vtkFreeTypeTools.h>
 #include <vtkImageData.h>
+#include <vtkJPEGWriter.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
 #include <vtkPNGWriter.h>
@@ -124,20 +125,41 @@ void draw_text(Image& image, const std::string& text, int x, int y, int size, An
   }
 }
 
-void write_png(const std::filesystem::path& path, const Image& image) {
+namespace {
+
+vtkNew<vtkImageData> vtk_image(const Image& image) {
   vtkNew<vtkImageData> data;
   data->SetDimensions(image.width, image.height, 1);
   data->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   for (int y = 0; y < image.height; ++y)
     std::copy_n(image.at(0, y).data(), 3 * image.width, static_cast<unsigned char*>(data->GetScalarPointer(0, image.height - 1 - y, 0)));
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(data);
-  writer->WriteToMemoryOn();
-  writer->Write();
-  vtkUnsignedCharArray* bytes = writer->GetResult();
+  return data;
+}
+
+/// Writes the file with a writer of VTK's that can write to memory.
+template <class Writer>
+void write_with(Writer& writer, const std::filesystem::path& path, const Image& image) {
+  const vtkNew<vtkImageData> data = vtk_image(image);
+  writer.SetInputData(data);
+  writer.WriteToMemoryOn();
+  writer.Write();
+  vtkUnsignedCharArray* bytes = writer.GetResult();
   AtomicFile file(path);
   file.write_at(0, std::as_bytes(std::span(bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()))));
   file.commit();
+}
+
+}  // namespace
+
+void write_png(const std::filesystem::path& path, const Image& image) {
+  const vtkNew<vtkPNGWriter> writer;
+  write_with(*writer.Get(), path, image);
+}
+
+void write_jpeg(const std::filesystem::path& path, const Image& image, int quality) {
+  const vtkNew<vtkJPEGWriter> writer;
+  writer->SetQuality(quality);
+  write_with(*writer.Get(), path, image);
 }
 
 Image read_png(const std::filesystem::path& path) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Images: drawing on them, reading and writing PNG.
+// Images: drawing on them, reading and writing PNG, writing JPEG.
 #pragma once
 
 #include <cstddef>
@@ -42,6 +42,9 @@ void draw_text(Image& image, const std::string& text, int x, int y, int size, An
 
 /// Writes a PNG, completely or not at all; the same image gives the same bytes. Throws OutputError.
 void write_png(const std::filesystem::path& path, const Image& image);
+
+/// Writes a JPEG, completely or not at all; `quality` from 1 to 100. Throws OutputError.
+void write_jpeg(const std::filesystem::path& path, const Image& image, int quality);
 
 /// Throws InputError if the file is missing or not a PNG.
 Image read_png(const std::filesystem::path& path);

@@ -40,7 +40,7 @@ class Loader {
       : shown_(shown), view_(view), settings_(settings), histories_(histories) {}
 
   PictureObject load() {
-    if (shown_.is_frame() && settings_.particles == ParticleShape::spheres) return {{}, {spheres()}};
+    if (shown_.is_frame() && settings_.particles == ParticleShape::spheres) return spheres();
     Mesh mesh = shown_.surface(settings_.spacing_m.value_or(0));
     if (settings_.outwards_m > 0) move_outwards(mesh, settings_.outwards_m);
     return painted(parts_of(mesh));
@@ -87,6 +87,7 @@ class Loader {
     });
     PictureObject object;
     for (const Part& part : parts) object.meshes.push_back(triangles(part, size, low, high));
+    if (settings_.paint == Paint::field) object.bar = bar(low, high, parts.front().mesh.find(settings_.field)->unit);
     return object;
   }
 
@@ -157,8 +158,13 @@ class Loader {
     return object;
   }
 
-  SphereObject spheres() {
+  ColourBar bar(double low, double high, const std::string& unit) const {
+    return {settings_.map, low, high, label_of_field(settings_.field, unit)};
+  }
+
+  PictureObject spheres() {
     std::vector<double> values;
+    std::string unit;
     const Particles& particles = shown_.particles();
     if (settings_.paint == Paint::browning) {
       values = history().degrees(particles.ids);
@@ -166,6 +172,7 @@ class Loader {
       const MeshField* field = particles.find(settings_.field);
       if (!field || field->components != 1) shown_.refuse_field(settings_.field, particles.fields);
       values = field->values;
+      unit = field->unit;
     }
     const auto [low, high] = range([&](auto visit) { std::for_each(values.begin(), values.end(), visit); });
     SphereObject object;
@@ -181,7 +188,9 @@ class Loader {
     if (object.spheres.empty())
       throw InputError(
           fmt::format("{}: cut_point_m, cut_normal: the cut leaves nothing of {}", view_.file.string(), shown_.file().string()));
-    return object;
+    PictureObject all{{}, {std::move(object)}, {}};
+    if (settings_.paint == Paint::field) all.bar = bar(low, high, unit);
+    return all;
   }
 
   static Eigen::Vector3d as_eigen(const Vector3& v) { return {v[0], v[1], v[2]}; }
@@ -216,7 +225,10 @@ PictureObject load_object(const std::filesystem::path& file, const std::filesyst
                           const ObjectSettings& settings, Histories& histories, int threads) {
   Shown shown(file, results, threads);
   if (settings.material) shown.keep_material(*settings.material);
-  return Loader(shown, view, settings, histories).load();
+  for (const char axis : settings.mirrored) shown.mirror(axis - 'x');
+  PictureObject object = Loader(shown, view, settings, histories).load();
+  object.time_s = shown.time_s();
+  return object;
 }
 
 }  // namespace bake

@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/browning/browning.h"
+#include "analysis/image/colour_bar.h"
 #include "analysis/pictures/path_tracer.h"
 #include "analysis/pictures/view.h"
 
@@ -32,6 +34,8 @@ class Histories {
 struct PictureObject {
   std::vector<TriangleObject> meshes;
   std::vector<SphereObject> spheres;
+  std::optional<ColourBar> bar;  ///< what its colours stand for, if a field paints it
+  double time_s = 0;             ///< of the file
 };
 
 /// Reads `file` and makes it what `settings` say. `results`: folder of the run that the file shows; empty: found from a frame's own

@@ -211,8 +211,29 @@ Stage set_stage(const View& view, const std::vector<Vec3f>& points) {
   return stage;
 }
 
+namespace {
+
+/// What the colours stand for, one below the other in the upper left corner; objects with the same bar share it.
+void draw_colour_bars(Image& image, const std::vector<std::pair<ColourBar, double>>& bars_and_times) {
+  const int text = std::clamp(image.height / 36, 8, 48), width = std::min(image.width * 2 / 5, 16 * text), left = 2 * text;
+  int top = text;
+  for (const auto& [bar, time_s] : bars_and_times) {
+    ColourBar timed = bar;
+    timed.label += fmt::format(", {:.4g} s", time_s);
+    if (top + colour_bar_height(text) > image.height) return;
+    draw_colour_bar(image, timed, left + width / 2, top, width, text, Colour::Constant(0.15f));
+    top += colour_bar_height(text) + text / 2;
+  }
+}
+
+}  // namespace
+
 Image take_picture(const View& view, Composition composition, const Stage& stage, int threads,
                    const std::function<void(double share)>& progress) {
+  std::vector<std::pair<ColourBar, double>> bars;
+  for (const PictureObject& object : composition.objects)
+    if (object.bar && view.picture.colour_bar && std::find(bars.begin(), bars.end(), std::pair(*object.bar, object.time_s)) == bars.end())
+      bars.emplace_back(*object.bar, object.time_s);
   PathTracer tracer;
   for (PictureObject& object : composition.objects) {
     for (TriangleObject& mesh : object.meshes) tracer.add(std::move(mesh));
@@ -225,6 +246,7 @@ Image take_picture(const View& view, Composition composition, const Stage& stage
     if (progress) progress(static_cast<double>(rows) / exposure.height);
   };
   Image image = developed(tracer.expose(stage.camera, exposure, rows_done), view.picture.exposure);
+  draw_colour_bars(image, bars);
   const int size = static_cast<int>(std::lround(k_title_height * image.height));
   for (std::size_t i = 0; i < view.objects.size(); ++i) {
     const Extent extent = extent_of(composition.outlines[i], stage.camera, view.picture);

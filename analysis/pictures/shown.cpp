@@ -78,6 +78,20 @@ void Shown::keep_material(int number) {
   particles_ = std::move(kept);
 }
 
+void Shown::mirror(int axis) {
+  if (!is_frame()) throw InputError(fmt::format("{}: mirrored: has no particles, allowed: a frame of bake run", file_.string()));
+  const auto repeat = [](auto& values) {
+    const auto once = values;
+    values.insert(values.end(), once.begin(), once.end());
+  };
+  const std::size_t count = particles_->count();
+  repeat(particles_->positions);
+  repeat(particles_->volumes);
+  repeat(particles_->ids);
+  for (MeshField& field : particles_->fields) repeat(field.values);
+  for (std::size_t i = count; i < 2 * count; ++i) particles_->positions[3 * i + static_cast<std::size_t>(axis)] *= -1;
+}
+
 Mesh Shown::surface(double spacing_m) const { return mesh_ ? *mesh_ : splat_surface(*particles_, {spacing_m, threads_}); }
 
 const std::filesystem::path& Shown::results() const {

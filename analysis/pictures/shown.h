@@ -20,6 +20,8 @@ class Shown {
   const std::filesystem::path& file() const { return file_; }
   /// Leaves only the particles of that material. Throws InputError if the file is no frame, or has none of it.
   void keep_material(int number);
+  /// Adds all particles once more, mirrored at the plane through 0 across `axis` (0 to 2). Throws InputError if the file is no frame.
+  void mirror(int axis);
   double time_s() const { return time_s_; }
   bool is_frame() const { return !mesh_; }
   /// A closed surface: of the particles (as splat_surface, `spacing_m` 0 is measured), of tetrahedra, or the triangles of the file.

@@ -66,6 +66,8 @@ void check(const SceneEntry& entry, const PanelSettings& panel) { check_range(en
 void check(const SceneEntry& entry, const ObjectSettings& object) {
   check_range(entry, object);
   if (object.cut_point_m.has_value() != object.cut_normal.has_value()) entry.complain("a cut needs both cut_point_m and cut_normal");
+  if (object.mirrored.find_first_not_of("xyz") != std::string::npos)
+    entry.find("mirrored")->complain(fmt::format("found '{}', allowed: letters x, y and z", object.mirrored));
   if (object.cut_normal && is_zero(*object.cut_normal)) entry.find("cut_normal")->complain("found no direction, allowed: not all zero");
 }
 

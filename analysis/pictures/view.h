@@ -28,6 +28,7 @@ struct PictureSettings {
   int height_px = 960;
   int samples = 64;
   double exposure = 1;
+  bool colour_bar = true;
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"width_px", &PictureSettings::width_px, "", pixels, "width of the picture"},
@@ -35,6 +36,8 @@ struct PictureSettings {
         Parameter{"samples", &PictureSettings::samples, "", whole_positive,
                   "paths of light per pixel: 16 to look, 64 to review, 256 to print"},
         Parameter{"exposure", &PictureSettings::exposure, "1", positive, "brightness of the whole picture"},
+        Parameter{"colour_bar", &PictureSettings::colour_bar, "", any_number,
+                  "show what the colours of an object with paint = \"field\" stand for, with its range and time"},
     };
   }
 };
@@ -167,6 +170,7 @@ struct ObjectSettings {
   bool backwards = false;
   ParticleShape particles = ParticleShape::surface;
   std::optional<int> material;
+  std::string mirrored;
   std::optional<double> spacing_m;
   double outwards_m = 0;
   double sphere_scale = 1;
@@ -191,6 +195,9 @@ struct ObjectSettings {
                   "show a frame's particles as a smooth surface around them, or as spheres"},
         Parameter{"material", &ObjectSettings::material, "", Range{0, 1e6, false, false, "a whole number of at least 0"},
                   "only the frame's particles of that [[material]] of the scene, counted from 0; default: all"},
+        Parameter{
+            "mirrored", &ObjectSettings::mirrored, "", any_number,
+            "completes a half or a quarter that was run between mirrors: axes whose planes through 0 they were, such as \"y\" or \"xy\""},
         Parameter{"spacing_m", &ObjectSettings::spacing_m, "m", positive, "of particles, for their surface; default: measured"},
         Parameter{"outwards_m", &ObjectSettings::outwards_m, "m", non_negative,
                   "moves a mesh along its normals: skins lie inside the flesh (depth_dx), whose surface would hide them"},

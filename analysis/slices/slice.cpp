@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/image/colour_bar.h"
 #include "analysis/pictures/shown.h"
 #include "analysis/slices/draw.h"
 #include "analysis/surface/mesh_tools.h"
@@ -87,10 +88,7 @@ Span span_of(const PanelSettings& panel, const std::vector<Body>& bodies) {
 
 std::string label_of(const PanelSettings& panel, const MeshField& field) {
   if (!panel.label.empty()) return panel.label;
-  std::string name = panel.field;
-  std::replace(name.begin(), name.end(), '_', ' ');
-  if (field.unit.empty() || field.unit == "1") return name;
-  return fmt::format("{} [{}]", name, field.unit);
+  return label_of_field(panel.field, field.unit);
 }
 
 /// A round number of 1, 2 or 5 times a power of ten, at most `most`.
@@ -114,19 +112,6 @@ struct Layout {
 };
 
 const Colour k_ink = Colour::Constant(0.1f);
-
-void draw_colour_bar(Image& image, const PanelSettings& panel, const Span& span, const std::string& label, int centre, int top, int width,
-                     int text) {
-  const int height = text * 2 / 3, left = centre - width / 2;
-  for (int x = 0; x < width; ++x)
-    for (int y = 0; y < height; ++y)
-      image.at(left + x, top + y) = pixel(map_colour(panel.map, (static_cast<float>(x) + 0.5f) / static_cast<float>(width)));
-  for (int i = 0; i <= 2; ++i) {
-    const double value = span.low + (span.high - span.low) * i / 2;
-    draw_text(image, fmt::format("{:.3g}", value), left + width * i / 2, top + height + text * 3 / 4, text, Anchor::centre, k_ink);
-  }
-  draw_text(image, label, centre, top + height + text * 7 / 4, text, Anchor::centre, k_ink);
-}
 
 void draw_scale_bar(Image& image, double metres_per_pixel, int x, int y, int most_pixels, int text) {
   const double length_m = round_below(most_pixels * metres_per_pixel);
@@ -189,8 +174,8 @@ Image take_slices(const View& view, const std::vector<std::filesystem::path>& fi
       if (by_file || p == 0) draw_text(image, body.title, left + at.text / 2, top + at.text, at.text, Anchor::left, k_ink);
     }
     const int centre = by_file ? image.width / 2 : p * at.cell_width + at.cell_width / 2;
-    draw_colour_bar(image, panel, span, label_of(panel, *bodies[0].face.find(panel.field)), centre, image.height - at.foot + at.text / 2,
-                    std::min(at.cell_width - 4 * at.text, 20 * at.text), at.text);
+    draw_colour_bar(image, {panel.map, span.low, span.high, label_of(panel, *bodies[0].face.find(panel.field))}, centre,
+                    image.height - at.foot + at.text / 2, std::min(at.cell_width - 4 * at.text, 20 * at.text), at.text, k_ink);
   }
   draw_scale_bar(image, metres_per_pixel, at.text / 2, image.height - at.foot, at.cell_width / 5, at.text);
   return image;

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 
 namespace bake {
@@ -162,6 +163,30 @@ void move_outwards(Mesh& triangles, double distance_m) {
     for (std::size_t d = 0; d < 3; ++d)
       triangles.points[3 * v + d] += distance_m * static_cast<double>(normals[i / 3][i % 3][static_cast<Eigen::Index>(d)]);
   }
+}
+
+Mesh without_specks(const Mesh& triangles, double share) {
+  std::vector<std::size_t> parent(triangles.vertex_count());  // a forest; the root of a vertex names its part
+  std::iota(parent.begin(), parent.end(), std::size_t{0});
+  const auto root = [&](std::int64_t vertex) {
+    auto at = static_cast<std::size_t>(vertex);
+    while (parent[at] != at) at = parent[at] = parent[parent[at]];
+    return at;
+  };
+  for (std::size_t c = 0; c < triangles.cells.size(); c += 3)
+    for (const std::size_t k : {c + 1, c + 2}) parent[root(triangles.cells[k])] = root(triangles.cells[c]);
+  std::vector<double> volume(triangles.vertex_count());  // six times that of the part, at its root
+  for (std::size_t c = 0; c < triangles.cells.size(); c += 3)
+    volume[root(triangles.cells[c])] +=
+        point_of(triangles, triangles.cells[c])
+            .dot(point_of(triangles, triangles.cells[c + 1]).cross(point_of(triangles, triangles.cells[c + 2])));
+  double largest = 0;
+  for (const double v : volume) largest = std::max(largest, std::abs(v));
+  std::vector<std::int64_t> kept;
+  for (std::size_t c = 0; c < triangles.cells.size(); c += 3)
+    if (std::abs(volume[root(triangles.cells[c])]) >= share * largest)
+      kept.insert(kept.end(), &triangles.cells[c], &triangles.cells[c] + 3);
+  return with_used_vertices(triangles, std::move(kept));
 }
 
 CutMesh cut(const Mesh& triangles, const Eigen::Vector3d& point, const Eigen::Vector3d& normal, double longest_edge_m) {

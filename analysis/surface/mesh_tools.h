@@ -20,6 +20,10 @@ std::vector<std::array<Eigen::Vector3f, 3>> corner_normals(const Mesh& triangles
 /// Moves every vertex along the mean normal of its triangles.
 void move_outwards(Mesh& triangles, double distance_m);
 
+/// The mesh without those connected parts that enclose less than `share` of what the largest encloses: crumbs of a particle or two, and
+/// bubbles inside.
+Mesh without_specks(const Mesh& triangles, double share);
+
 struct CutMesh {
   Mesh kept;
   Mesh face;  ///< on the plane, in triangles with no edge longer than was asked for, without fields; may be empty

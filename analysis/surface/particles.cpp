@@ -36,7 +36,8 @@ Particles read_particles_of_frame(const std::filesystem::path& path) {
   const Hdf5Reader file(path);
   Particles particles;
   particles.time_s = frame.time_s();
-  particles.positions = frame.positions();
+  const std::vector<double> positions = frame.positions();
+  particles.positions.assign(positions.begin(), positions.end());
   particles.volumes = frame.column("volume");
   if (frame.has("id")) particles.ids = frame.identities();
   for (const std::string& name : file.names(k_vtk_fields)) {

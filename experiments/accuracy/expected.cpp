@@ -7,6 +7,7 @@
 
 #include "experiments/accuracy/result.h"
 #include "solver/core/errors.h"
+#include "solver/io/json_fault.h"
 #include "solver/scene/entry.h"
 #include "solver/scene/resolved.h"
 #include "solver/scene/scene.h"
@@ -54,7 +55,7 @@ std::vector<std::string> expected_of(const Scene& scene, const std::filesystem::
       if (!lines.empty()) lines.push_back("the error is that of: " + c.at("measured").get<std::string>());
     }
   } catch (const json::exception& error) {
-    throw InputError(fmt::format("{}: damaged, allowed: what bake study accuracy writes: {}", stored.string(), error.what()));
+    throw InputError(fmt::format("{}: damaged, allowed: what bake study accuracy writes: {}", stored.string(), json_fault(error)));
   }
   return lines;
 }

@@ -43,8 +43,8 @@ StudyScene Bar::setting() const {
   setting.effects = effects;
   setting.frame_s = end_s;
   setting.dx = dx();
-  setting.low = {-(before + air) * dx(), 0, 0};
-  setting.high = {1 + (after + air) * dx(), width, width};
+  setting.low = {-(before + air + shift) * dx(), 0, 0};
+  setting.high = {1 + (after + air - shift) * dx(), width, width};
   setting.faces = fmt::format("x_min = {0}\nx_max = {0}\ny_min = \"slip\"\ny_max = \"slip\"\nz_min = \"slip\"\nz_max = \"slip\"\n", faces);
   setting.time = time;
   setting.material += material;

@@ -20,6 +20,7 @@ struct Bar {
   int across = 1;                                   ///< cells along y and z
   int before = 0, after = 0;                        ///< cells that the body reaches beyond x = 0 and x = 1, into what holds it there
   int air = 0;                                      ///< cells between the body and the domain's faces along x; 0: it touches them
+  double shift = 0;                                 ///< of the body against the nodes along x [node distances]
   double end_s = 1;                                 ///< the first sample
   std::string effects = "heat";                     ///< "motion, heat"
   std::string material;                             ///< keys of the material besides density 1 kg/m^3

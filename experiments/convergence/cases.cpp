@@ -10,6 +10,8 @@ const std::vector<ConvergenceCase>& all_cases() {
       {"slab_held", "a slab whose faces are held at 1 and 0: sine series", slab_held},
       {"slab_held_and_insulated", "a slab held at 1 on one face, insulated on the other: sine series", slab_held_and_insulated},
       {"robin", "a slab that cools in air at Bi = 0.1, 1, 10: series over the roots of z tan z = Bi", robin},
+      {"plates", "a bar between a hot and a cold collider at Bi = 1, 10: a line and the first mode", plates},
+      {"melting", "a slab that melts from a held face: Neumann's solution, over a range of temperatures", melting},
       {"square", "a square section whose sides are held at 1: double sine series", square},
       {"eulers", "forward and backward Euler of heat: the same grid with half the step", eulers},
       {"fick", "a small cosine of saturation: it decays with exp(-pi^2 Fo)", fick},
@@ -33,6 +35,7 @@ const std::vector<ConvergenceCase>& all_cases() {
       {"closed_pores", "pores heated at fixed volume: p theta_0K = p_ref (theta_K - theta_0K)", closed_pores},
       {"perzyna", "a viscoplastic bar that is pressed at constant speed, in both norms", perzyna},
       {"wrinkles", "a stiff film on deep soft ground that is compressed: wavelength and onset of its wrinkles", wrinkles},
+      {"skin", "a skin on deep soft ground that is compressed: wavelength and onset of its wrinkles", wrinkles_of_skin},
   };
   return cases;
 }

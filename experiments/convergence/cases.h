@@ -21,6 +21,8 @@ std::vector<Errors> slab_halves(bool quick);
 std::vector<Errors> slab_held(bool quick);
 std::vector<Errors> slab_held_and_insulated(bool quick);
 std::vector<Errors> robin(bool quick);
+std::vector<Errors> plates(bool quick);
+std::vector<Errors> melting(bool quick);
 std::vector<Errors> square(bool quick);
 std::vector<Errors> eulers(bool quick);
 std::vector<Errors> fick(bool quick);
@@ -42,5 +44,6 @@ std::vector<Errors> open_pores(bool quick);
 std::vector<Errors> closed_pores(bool quick);
 std::vector<Errors> perzyna(bool quick);
 std::vector<Errors> wrinkles(bool quick);
+std::vector<Errors> wrinkles_of_skin(bool quick);
 
 }  // namespace bake::studies

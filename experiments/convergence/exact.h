@@ -9,6 +9,11 @@ namespace bake::studies {
 /// A slab from 0 to 1 at temperature 0 whose faces are held at 1 (x = 0) and 0 (x = 1): theta at x after `fourier` = D t / L^2.
 double held_slab_temperature(double x, double fourier);
 
+/// Root n = 0, 1, ... of z tan z = Bi, between n pi and (n + 1/2) pi: a slab that cools at both faces.
+double cooling_root(int n, double biot);
+/// Where a slab at 0 that melts between 0 and `width`, held at 1 at x = 0, has molten: x / (2 sqrt(t)), for a latent heat of c times 1 K.
+double melting_front(double width);
+
 /// Barenblatt's source of water, s_t = (s s_x)_x, in a bar from the time when its front stands at 0.15 m from the middle until it
 /// stands at 0.3 m.
 namespace source {

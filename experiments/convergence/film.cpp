@@ -14,6 +14,8 @@
 // Of the solver S is asked: the load is put on, all motion damped, and w read off when it is at rest, for e = 0 and for e of two fifths
 // of the onset. S falls linearly with e; where it would be zero is e_c(k). The least value of a k^2 + b / k, fitted to e_c at three k, is
 // the onset, and where it is the wavelength: of the solver and of the theory alike.
+#include "experiments/convergence/film.h"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -36,7 +38,7 @@ constexpr double nu = 0.4, Y_f = 30;
 constexpr double E_s = 1 / (1 - nu * nu), E_f = Y_f * E_s, mu_s = 1 / (2 * (1 + nu));
 constexpr double k_length = 21, k_depth = 12;  // of the piece, when compressed
 constexpr std::array k_half_waves{2, 3, 4};    // in its length; the onset's are about 3
-using Waves = std::array<double, k_half_waves.size()>;
+static_assert(k_half_waves.size() == Waves{}.size());
 
 constexpr double k_pressed = 1;   // until then it is compressed [s]
 constexpr double k_load = 0.002;  // of each wave, for each unit of the film's mass [m/s^2]
@@ -141,23 +143,6 @@ Waves critical_strains(int cells) {
   return found;
 }
 
-struct Wrinkle {
-  double wavelength, onset;
-};
-
-/// By least squares.
-Wrinkle least_of_fit(const Waves& strains) {
-  const Waves k = wave_numbers();
-  double aa = 0, ab = 0, bb = 0, a_e = 0, b_e = 0;
-  for (std::size_t i = 0; i < k.size(); ++i) {
-    const double p = k[i] * k[i], q = 1 / k[i];
-    aa += p * p, ab += p * q, bb += q * q, a_e += p * strains[i], b_e += q * strains[i];
-  }
-  const double det = aa * bb - ab * ab, a = (a_e * bb - b_e * ab) / det, b = (b_e * aa - a_e * ab) / det;
-  const double at = std::cbrt(b / (2 * a));
-  return {2 * pi / at, a * at * at + b / at};
-}
-
 }  // namespace
 
 }  // namespace film
@@ -166,7 +151,7 @@ std::vector<Errors> wrinkles(bool quick) {
   using namespace film;
   Waves exact;
   for (std::size_t i = 0; i < exact.size(); ++i) exact[i] = critical(wave_numbers()[i]);
-  const Wrinkle held = least_of_fit(exact), thin{2 * pi * std::cbrt(E_f / (3 * E_s)), std::pow(3 * E_s / E_f, 2. / 3) / 4};
+  const Wrinkle held = least_of_fit(wave_numbers(), exact), thin{2 * pi * std::cbrt(E_f / (3 * E_s)), std::pow(3 * E_s / E_f, 2. / 3) / 4};
   Errors wavelength, onset, thin_wavelength, thin_onset;
   wavelength.quantity = "wavelength, of a film that holds the ground at its lower face";
   onset.quantity = "onset, of a film that holds the ground at its lower face";
@@ -192,7 +177,7 @@ std::vector<Errors> wrinkles(bool quick) {
     e->refinements = quick ? std::vector<double>{1, 2} : std::vector<double>{1, 2, 3};
   }
   for (const double n : wavelength.refinements) {
-    const Wrinkle found = least_of_fit(critical_strains(static_cast<int>(n)));
+    const Wrinkle found = least_of_fit(wave_numbers(), critical_strains(static_cast<int>(n)));
     wavelength.errors.push_back(std::abs(found.wavelength / held.wavelength - 1));
     onset.errors.push_back(std::abs(found.onset / held.onset - 1));
     thin_wavelength.errors.push_back(std::abs(found.wavelength / thin.wavelength - 1));

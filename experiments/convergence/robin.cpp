@@ -7,6 +7,7 @@
 
 #include "experiments/convergence/bar.h"
 #include "experiments/convergence/cases.h"
+#include "experiments/convergence/exact.h"
 
 namespace bake::studies {
 
@@ -16,20 +17,10 @@ using std::numbers::pi;
 
 constexpr double k_half = 0.5;  ///< half the thickness [m], the length of the Biot number
 
-/// Root n = 0, 1, ... of z tan z = Bi, by bisection of z sin z - Bi cos z between n pi and (n + 1/2) pi.
-double root(int n, double biot) {
-  double low = n * pi, high = (n + 0.5) * pi;
-  for (int i = 0; i < 100; ++i) {
-    const double z = (low + high) / 2, g = (z * std::sin(z) - biot * std::cos(z)) * (n % 2 ? -1 : 1);
-    (g < 0 ? low : high) = z;
-  }
-  return low;
-}
-
 double cooled(double x, double fourier, double biot) {
   double sum = 0;
   for (int n = 0; n < 40; ++n) {
-    const double z = root(n, biot);
+    const double z = cooling_root(n, biot);
     sum += 4 * std::sin(z) / (2 * z + std::sin(2 * z)) * std::exp(-z * z * fourier) * std::cos(z * (x - k_half) / k_half);
   }
   return sum;
@@ -46,6 +37,15 @@ Bar slab(double biot) {
 }
 
 }  // namespace
+
+double cooling_root(int n, double biot) {
+  double low = n * pi, high = (n + 0.5) * pi;
+  for (int i = 0; i < 100; ++i) {  // bisection of z sin z - Bi cos z
+    const double z = (low + high) / 2, g = (z * std::sin(z) - biot * std::cos(z)) * (n % 2 ? -1 : 1);
+    (g < 0 ? low : high) = z;
+  }
+  return low;
+}
 
 std::vector<Errors> robin(bool quick) {
   std::vector<Errors> all;

@@ -41,9 +41,12 @@ MetricWords words_of(const Claim& claim, const Computed& computed) {
   return {number.unit, number.meaning};
 }
 
+nlohmann::json json_of(const std::optional<double>& number) { return number ? nlohmann::json(*number) : nlohmann::json(); }
+
 nlohmann::json json_of(const ClaimVerdict& v) {
-  return {{"metric", v.metric},       {"meaning", v.meaning},    {"of", v.of},   {"measured", v.measured}, {"unit", v.unit},
-          {"condition", v.condition}, {"kind", word_of(v.kind)}, {"why", v.why}, {"holds", v.holds},       {"problem", v.problem}};
+  return {{"metric", v.metric},       {"meaning", v.meaning},    {"of", v.of},          {"measured", v.measured}, {"unit", v.unit},
+          {"condition", v.condition}, {"kind", word_of(v.kind)}, {"why", v.why},        {"says", v.says},         {"low", json_of(v.low)},
+          {"high", json_of(v.high)},  {"holds", v.holds},        {"problem", v.problem}};
 }
 
 nlohmann::json json_of(const FigurePaths& paths, const FigureRun& run) {
@@ -59,11 +62,14 @@ nlohmann::json json_of(const FigurePaths& paths, const FigureRun& run) {
           {"provenance", description["provenance"]}};
 }
 
-template <class T>
-nlohmann::json files_of(const std::vector<T>& list, const char* extension) {
-  nlohmann::json files = nlohmann::json::array();
-  for (const T& one : list) files.push_back({{"file", one.name + extension}, {"shows", one.shows}});
-  return files;
+nlohmann::json json_of(const FigurePicture& picture) {
+  return {{"file", picture.name + ".png"}, {"shows", picture.shows}, {"kind", word_of(picture.kind)}};
+}
+
+nlohmann::json json_of(const FigureChart& chart) { return {{"file", chart.name + ".svg"}, {"shows", chart.shows}}; }
+
+nlohmann::json json_of(const FigureObject& object) {
+  return {{"name", object.name}, {"shows", object.shows}, {"picture", object.picture}, {"of", object.of}, {"particles", object.particles}};
 }
 
 nlohmann::json json_of(const ComputedNumber& n) { return {{"name", n.name}, {"value", n.value}, {"unit", n.unit}, {"meaning", n.meaning}}; }
@@ -101,8 +107,9 @@ void write_claims(const FigurePaths& paths, const Computed& computed, const std:
                            {"runs", runs},
                            {"numbers", json_list(computed.numbers)},
                            {"tables", json_list(computed.tables)},
-                           {"pictures", paths.options.pictures ? files_of(paths.figure.pictures, ".png") : nlohmann::json::array()},
-                           {"charts", files_of(paths.figure.charts, ".svg")},
+                           {"pictures", paths.options.pictures ? json_list(paths.figure.pictures) : nlohmann::json::array()},
+                           {"objects", paths.options.pictures ? json_list(paths.figure.objects) : nlohmann::json::array()},
+                           {"charts", json_list(paths.figure.charts)},
                            {"provenance", provenance()}};
   std::filesystem::create_directories(paths.item_folder());
   write_text_atomically(paths.item_folder() / "claims.json", all.dump(2) + "\n");

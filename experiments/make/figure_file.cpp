@@ -56,25 +56,41 @@ void check(const SceneEntry& entry, const FigureSurface& surface, const Figure& 
     entry.complain_at("run", fmt::format("found '{}', allowed: a run with mesh = true", surface.run));
 }
 
+void check_view(const SceneEntry& entry, const std::string& view, const Figure& figure) {
+  const fs::path file = view_file(figure, view);
+  if (!fs::is_regular_file(file))
+    entry.complain_at("view", fmt::format("found '{}', allowed: a view ({} is not there)", quotable(view), file.string()));
+}
+
 void check(const SceneEntry& entry, const FigurePicture& picture, const Figure& figure, const ComputedNames&) {
   check_name(entry, picture.name, names_in(figure.pictures));
-  if (!fs::is_regular_file(view_file(figure, picture)))
-    entry.complain_at(
-        "view", fmt::format("found '{}', allowed: a view ({} is not there)", quotable(picture.view), view_file(figure, picture).string()));
+  check_view(entry, picture.view, figure);
   auto known = runs_and_surfaces(figure);
   for (const FigureRun& run : figure.runs) known.push_back(run.name + std::string(k_skin_of));
   for (const std::string& name : picture.of) check_known(entry, "of", name, "run, surface or skin", known);
 }
 
-/// Checks that the metric is one of a run at a time, which the chart sets.
-void check_metric_over_time(const SceneEntry& entry, const FigureChart& chart) {
+void check(const SceneEntry& entry, const FigureObject& object, const Figure& figure, const ComputedNames&) {
+  check_name(entry, object.name, names_in(figure.objects));
+  check_view(entry, object.view, figure);
+  check_known(entry, "picture", object.picture, "picture", names_in(figure.pictures));
+  if (object.of.empty()) entry.complain_at("of", "found [], allowed: a run, or a list of them");
+  for (const std::string& name : object.of) check_known(entry, "of", name, "run", names_in(figure.runs));
+}
+
+/// Checks that the metric is one of a run, and over time one that has a time, which the chart sets.
+void check_metrics(const SceneEntry& entry, const FigureChart& chart) {
   std::vector<std::string> known;
+  const bool over_time = chart.against.empty();
   for (const Metric& metric : all_metrics())
-    if (metric.of_run && std::find(metric.knows.begin(), metric.knows.end(), "time_s") != metric.knows.end())
+    if (metric.of_run && (!over_time || std::find(metric.knows.begin(), metric.knows.end(), "time_s") != metric.knows.end()))
       known.emplace_back(metric.name);
-  check_known(entry, "metric", chart.metric, "metric of a run that has a time", known);
-  if (chart.place.time_s) entry.complain_at("time_s", "the chart is drawn over all times");
+  check_known(entry, "metric", chart.metric, over_time ? "metric of a run that has a time" : "metric of a run", known);
+  if (chart.place.time_s) entry.complain_at("time_s", over_time ? "the chart is drawn over all times" : "the chart shows the end");
   check_place(entry, find_metric(chart.metric), chart.place);
+  if (over_time) return;
+  check_known(entry, "against", chart.against, "metric of a run", known);
+  check_place(entry, find_metric(chart.against), chart.place);
 }
 
 void check(const SceneEntry& entry, const FigureChart& chart, const Figure& figure, const ComputedNames& computed) {
@@ -83,7 +99,8 @@ void check(const SceneEntry& entry, const FigureChart& chart, const Figure& figu
   if (sources > 1 || (sources == 0) != chart.of.empty())
     entry.complain_at("column", "allowed: column or metric, with `of`, or a name alone");
   if (sources == 0) check_known(entry, "name", chart.name, "chart", computed.charts);
-  if (!chart.metric.empty()) check_metric_over_time(entry, chart);
+  if (!chart.metric.empty()) check_metrics(entry, chart);
+  if (!chart.against.empty() && chart.metric.empty()) entry.complain_at("against", "needs a metric beside it");
   for (const std::string& name : chart.of) check_known(entry, "of", name, "run", names_in(figure.runs));
 }
 
@@ -154,7 +171,7 @@ Figure read_figure(const fs::path& file, const ComputedNames& computed) {
   const Document document{file.string(), file.parent_path()};
   const toml::table table = parse_toml(read_text_file(file), document.name);
   const SceneEntry root(document, table);
-  root.refuse_unknown({"title", "shows", "run", "surface", "picture", "chart", "claim", "blessed"});
+  root.refuse_unknown({"title", "shows", "run", "surface", "picture", "object", "chart", "claim", "blessed"});
   Figure figure;
   figure.file = file;
   figure.title = required_text(root, "title");
@@ -162,6 +179,7 @@ Figure read_figure(const fs::path& file, const ComputedNames& computed) {
   read_tables(root, "run", &Figure::runs, figure, computed);
   read_tables(root, "surface", &Figure::surfaces, figure, computed);
   read_tables(root, "picture", &Figure::pictures, figure, computed);
+  read_tables(root, "object", &Figure::objects, figure, computed);
   read_tables(root, "chart", &Figure::charts, figure, computed);
   for (const SceneEntry& entry : root.tables("claim")) {
     figure.claims.push_back(read_claim(entry, computed.numbers));
@@ -176,8 +194,6 @@ fs::path scene_file(const Figure& figure, const FigureRun& run) {
   return (run.scene.find('/') == std::string::npos ? folder : folder.parent_path()) / (run.scene + ".toml");
 }
 
-fs::path view_file(const Figure& figure, const FigurePicture& picture) {
-  return figure.file.parent_path() / "views" / (picture.view + ".toml");
-}
+fs::path view_file(const Figure& figure, const std::string& view) { return figure.file.parent_path() / "views" / (view + ".toml"); }
 
 }  // namespace bake

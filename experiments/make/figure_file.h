@@ -79,12 +79,14 @@ struct FigurePicture {
   }
 };
 
-/// [[chart]]: a column of the ledger or a metric over time, or, if only a name is given, a chart that the item's function computes.
+/// [[chart]]: a column of the ledger or a metric over time, one metric at the end against another, or, if only a name is given, a chart
+/// that the item's function computes.
 struct FigureChart {
   std::string name;
   std::string shows;
   std::string column;
   std::string metric;
+  std::string against;
   MetricPlace place;  ///< its keys stand directly in [[chart]]
   std::string label;
   std::vector<std::string> of;
@@ -96,8 +98,33 @@ struct FigureChart {
         Parameter{"column", &FigureChart::column, "", any_number, "column of the ledger, drawn over time"},
         Parameter{"metric", &FigureChart::metric, "", any_number,
                   "or a metric of runs that has a time, drawn over time; what it needs stands beside it"},
+        Parameter{"against", &FigureChart::against, "", any_number,
+                  "a second metric of runs: each run is then one point, the first upright, both at its end; for scans"},
         Parameter{"label", &FigureChart::label, "", any_number, "beside the upright axis; the name of column or metric unless given"},
         Parameter{"of", &FigureChart::of, "", any_number, "the runs, one line each"},
+    };
+  }
+};
+
+/// [[object]]: runs that the report shows as bodies that turn, from which bake-render makes small surfaces and particles.
+struct FigureObject {
+  std::string name;
+  std::string shows;
+  std::string view;
+  std::string picture;
+  std::vector<std::string> of;
+  bool particles = false;
+  static constexpr auto parameters() {
+    return std::tuple{
+        Parameter{"name", &FigureObject::name, "", any_number, "name of its folder", Presence::required},
+        Parameter{"shows", &FigureObject::shows, "", any_number, "what it shows: for readers who cannot see it, and as its caption",
+                  Presence::required},
+        Parameter{"view", &FigureObject::view, "", any_number, "views/<view>.toml of this folder: how it browns and its colours", Presence::required},
+        Parameter{"picture", &FigureObject::picture, "", any_number, "the [[picture]] that stands for it in print and where nothing can turn",
+                  Presence::required},
+        Parameter{"of", &FigureObject::of, "", any_number, "runs; the others are seen beside the first, at its times", Presence::required},
+        Parameter{"particles", &FigureObject::particles, "", any_number,
+                  "particles can be shown, too: for what tears or is poured, of which surfaces change from moment to moment"},
     };
   }
 };
@@ -109,6 +136,7 @@ struct Figure {
   std::vector<FigureRun> runs;
   std::vector<FigureSurface> surfaces;
   std::vector<FigurePicture> pictures;
+  std::vector<FigureObject> objects;
   std::vector<FigureChart> charts;
   std::vector<Claim> claims;
 };
@@ -124,8 +152,8 @@ Figure read_figure(const std::filesystem::path& file, const ComputedNames& compu
 
 /// The scene file of a run: experiments/<experiment>/<scene>.toml beside the figure's folder.
 std::filesystem::path scene_file(const Figure& figure, const FigureRun& run);
-/// The view file of a picture.
-std::filesystem::path view_file(const Figure& figure, const FigurePicture& picture);
+/// The file of a view that a picture or object names.
+std::filesystem::path view_file(const Figure& figure, const std::string& view);
 
 template <class T>
 const T* find_named(const std::vector<T>& list, std::string_view name) {

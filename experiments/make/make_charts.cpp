@@ -39,12 +39,33 @@ std::vector<double> metric_over_time(const Results& run, const Metric& metric, M
   return values;
 }
 
+charts::Axis axis_of_metric(const Metric& metric) {
+  return {words_of(metric.name), std::string_view(metric.unit) == "1" ? "" : metric.unit};
+}
+
+/// Each run as one point: a scan.
+charts::Chart chart_of_ends(const FigurePaths& paths, const FigureChart& chart) {
+  const Metric &upright = find_metric(chart.metric), &along = find_metric(chart.against);
+  charts::Panel panel{"", axis_of_metric(along), axis_of_metric(upright)};
+  if (!chart.label.empty()) panel.y.label = chart.label;
+  for (const std::string& name : chart.of) {
+    const Results run(paths.run(name));
+    charts::Series point{words_of(name), charts::Kind::points};
+    point.x = {measure(along, run, chart.place).value};
+    point.y = {measure(upright, run, chart.place).value};
+    point.marker = static_cast<charts::Marker>(panel.series.size() / 6 % 6);  // after six the colours come again
+    panel.series.push_back(std::move(point));
+  }
+  panel.legend = charts::Legend::right;
+  return {chart.name, chart.shows, {panel}, 1, 5.2, 3.4};
+}
+
 charts::Chart chart_over_time(const FigurePaths& paths, const FigureChart& chart) {
   const std::string column = present_column(chart.column);
   if (column != chart.column) say(paths.options, fmt::format("{} is now called {}; the old name is read until 1.0", chart.column, column));
   const Metric* metric = chart.metric.empty() ? nullptr : &find_metric(chart.metric);
   charts::Panel panel{"", {"time", "s"}, axis_of_column(column)};
-  if (metric) panel.y = {words_of(metric->name), std::string_view(metric->unit) == "1" ? "" : metric->unit};
+  if (metric) panel.y = axis_of_metric(*metric);
   if (!chart.label.empty()) panel.y.label = chart.label;
   for (const std::string& name : chart.of) {
     const Results run(paths.run(name));
@@ -60,7 +81,10 @@ charts::Chart chart_over_time(const FigurePaths& paths, const FigureChart& chart
 void make_charts(const FigurePaths& paths, const Computed& computed) {
   for (const FigureChart& chart : paths.figure.charts) {
     say(paths.options, fmt::format("chart {}", chart.name));
-    charts::write_chart(chart.of.empty() ? *find_named(computed.charts, chart.name) : chart_over_time(paths, chart), paths.item_folder());
+    charts::write_chart(chart.of.empty()         ? *find_named(computed.charts, chart.name)
+                        : !chart.against.empty() ? chart_of_ends(paths, chart)
+                                                 : chart_over_time(paths, chart),
+                        paths.item_folder());
   }
 }
 

@@ -41,7 +41,8 @@ namespace {
 void check_programs(const FigurePaths& paths) {
   const auto& runs = paths.figure.runs;
   if (std::any_of(runs.begin(), runs.end(), [](const FigureRun& run) { return run.mesh; })) find_program("bake-mesh");
-  if (paths.options.pictures && paths.options.only_run.empty() && !paths.figure.pictures.empty()) find_program("bake-render");
+  if (paths.options.pictures && paths.options.only_run.empty() && !(paths.figure.pictures.empty() && paths.figure.objects.empty()))
+    find_program("bake-render");
 }
 
 }  // namespace
@@ -54,7 +55,10 @@ MadeFigure make_figure(const Items& items, const Item& item, const MakeOptions& 
   if (!options.only_run.empty()) return {{}, {}, paths.run(options.only_run)};
   if (!figure.runs.empty()) computed = compute(item);  // it may need the runs
   make_surfaces(paths);
-  if (options.pictures) make_pictures(paths);
+  if (options.pictures) {
+    make_pictures(paths);
+    make_objects(paths);
+  }
   make_charts(paths, computed);
   write_tables(paths, computed);
   const auto verdicts = check_claims(paths, computed);

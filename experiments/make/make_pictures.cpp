@@ -38,7 +38,7 @@ std::vector<Input> inputs_of(const FigurePaths& paths, const FigurePicture& pict
 
 std::vector<std::string> render_arguments(const FigurePaths& paths, const FigurePicture& picture, const std::vector<Input>& inputs,
                                           const fs::path& out) {
-  std::vector<std::string> words{word_of(picture.kind), view_file(paths.figure, picture).string()};
+  std::vector<std::string> words{word_of(picture.kind), view_file(paths.figure, picture.view).string()};
   for (const Input& input : inputs) words.push_back(input.file.string());
   words.insert(words.end(), {"--out", out.string()});
   for (const Input& input : inputs) words.insert(words.end(), {"--results", input.results.string()});
@@ -47,17 +47,29 @@ std::vector<std::string> render_arguments(const FigurePaths& paths, const Figure
   return words;
 }
 
+/// The same picture as JPEG, a fortieth as large, for the report.
+void make_small(const FigurePaths& paths, const FigurePicture& picture, const fs::path& png) {
+  fs::path made = png;
+  made.replace_extension(".jpg");
+  const std::vector<std::string> words{"jpeg", png.string(), "--out", made.string()};
+  const nlohmann::json from{words, stamp(png)};
+  if (is_up_to_date(made, from)) return;
+  call_program("bake-render", words, paths.item_folder() / (picture.name + ".jpg.log"));
+  record_sources(made, from);
+}
+
 void make_picture(const FigurePaths& paths, const FigurePicture& picture) {
   const fs::path made = paths.item_folder() / (picture.name + ".png");
   const std::vector<Input> inputs = inputs_of(paths, picture);
   auto words = render_arguments(paths, picture, inputs, made);
-  nlohmann::json from{words, stamp(view_file(paths.figure, picture)), stamp(find_program("bake-render"))};
+  nlohmann::json from{words, stamp(view_file(paths.figure, picture.view)), stamp(find_program("bake-render"))};
   for (const Input& input : inputs) from.push_back(stamp(input.file));
-  if (is_up_to_date(made, from)) return;
+  if (is_up_to_date(made, from)) return make_small(paths, picture, made);
   say(paths.options, fmt::format("picture {}", picture.name));
   if (paths.options.threads > 0) words.insert(words.end(), {"--threads", std::to_string(paths.options.threads)});  // same picture
-  call_program("bake-render", words, paths.item_folder() / (picture.name + ".log"));
+  call_program("bake-render", words, paths.item_folder() / (picture.name + ".log"), paths.options.quiet);
   record_sources(made, from);
+  make_small(paths, picture, made);
 }
 
 }  // namespace

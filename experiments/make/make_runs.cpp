@@ -40,7 +40,7 @@ fs::path make_mesh(const FigurePaths& paths, const FigureRun& run, const Scene& 
   const nlohmann::json from{resolved(scene), stamp(find_program("bake-mesh"))};
   if (is_up_to_date(mesh, from)) return mesh;
   say(paths.options, fmt::format("mesh of {}", run.name));
-  call_program("bake-mesh", mesh_arguments(paths, run, aside), folder / "bake-mesh.log");
+  call_program("bake-mesh", mesh_arguments(paths, run, aside), folder / "bake-mesh.log", paths.options.quiet);
   replace_mesh(aside, mesh);
   record_sources(mesh, from);
   return mesh;

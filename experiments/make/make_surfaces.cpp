@@ -41,7 +41,7 @@ void make_surface(const FigurePaths& paths, const FigureSurface& surface) {
   const nlohmann::json from{words, stamp(paths.run(surface.run) / "run.json"), stamp(find_program("bake-mesh"))};
   if (is_up_to_date(made, from)) return;
   say(paths.options, fmt::format("surface {}", surface.name));
-  call_program("bake-mesh", words, paths.item_folder() / (surface.name + ".log"));
+  call_program("bake-mesh", words, paths.item_folder() / (surface.name + ".log"), paths.options.quiet);
   record_sources(made, from);
 }
 

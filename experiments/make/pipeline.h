@@ -12,8 +12,10 @@ namespace bake {
 void make_runs(const FigurePaths& paths);
 /// Makes fracture surfaces in <item>/<surface>/.
 void make_surfaces(const FigurePaths& paths);
-/// Makes pictures: <item>/<picture>.png.
+/// Makes pictures: <item>/<picture>.png, and .jpg for the report.
 void make_pictures(const FigurePaths& paths);
+/// Makes what the report turns: surfaces and particles of a few frames in <item>/<object>/<run>/.
+void make_objects(const FigurePaths& paths);
 /// Makes charts: <item>/<chart>.svg, .pdf and .csv.
 void make_charts(const FigurePaths& paths, const Computed& computed);
 /// Writes the tables that the item's function computes: <item>/<table>.csv and .md.

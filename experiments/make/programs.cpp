@@ -2,12 +2,15 @@
 #include "experiments/make/programs.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstring>
 #include <fstream>
+#include <functional>
 
 #include "solver/core/errors.h"
 #include "solver/io/child.h"
+#include "solver/io/progress.h"
 
 namespace bake {
 namespace {
@@ -36,12 +39,24 @@ fs::path find_program(const std::string& name) {
   return program;
 }
 
-void call_program(const std::string& name, const std::vector<std::string>& arguments, const fs::path& log) {
+void call_program(const std::string& name, const std::vector<std::string>& arguments, const fs::path& log, bool quiet) {
   const fs::path program = find_program(name);
   fs::create_directories(log.parent_path());
   std::vector<std::string> words = arguments;
   words.insert(words.begin(), program.string());
-  const auto [start_error, code] = run_child(std::move(words), log);
+  Meter meter(name, progress_on_stderr(quiet));
+  std::string told;
+  double told_s = steady_seconds();
+  const auto tell = [&] {  // on a terminal at once, in a log now and then
+    const std::string line = last_line(log);
+    const double between_s = isatty(STDERR_FILENO) ? 0 : 10;
+    if (line.empty() || line == told || steady_seconds() - told_s < between_s) return;
+    meter.phase(line);
+    told = line;
+    told_s = steady_seconds();
+  };
+  const auto [start_error, code] = run_child(std::move(words), log, quiet ? std::function<void()>() : tell);
+  meter.clear();
   if (start_error != 0) throw InputError(fmt::format("{}: cannot be started: {}", program.string(), std::strerror(start_error)));
   if (code == 0) return;
   std::string line = last_line(log);

@@ -27,10 +27,18 @@ Html text_with_code(std::string_view words);
 /// empty.
 Html table(const std::vector<std::string>& header, const std::vector<std::vector<Html>>& rows, std::string_view caption = "");
 
-/// An embedded picture (.png or .svg) with its alternative text. Throws InputError if the file cannot be read.
+/// An embedded picture (.png, .jpg or .svg) with its alternative text; the .jpg beside a .png stands for it. Throws InputError if the file
+/// cannot be read.
 Html picture(const std::filesystem::path& file, std::string_view alternative);
 
-/// A number with three to five digits for people: "0.0231", "1.2e-07", "620 000" for whole numbers.
+/// "data:<type>;base64,..."
+std::string data_address(std::string_view type, std::string_view bytes);
+/// The bytes as letters, digits, + and / [RFC 4648].
+std::string base64(std::string_view bytes);
+
+/// A number with three to five digits for people: "0.0231", "1.2 × 10⁻⁷", "620 000" for whole numbers. It does not break.
 std::string number(double value);
+/// The same for the numbers in words that bake wrote, and their signs: ">= 1.2e-07 +- 1" becomes "≥ 1.2 × 10⁻⁷ ± 1".
+std::string with_signs(std::string words);
 
 }  // namespace bake::report

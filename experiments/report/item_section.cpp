@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/report/object_figure.h"
 #include "experiments/report/sections.h"
+#include "experiments/report/statements.h"
+#include "experiments/report/time_chart.h"
+#include "solver/scene/entry.h"
 
 namespace bake::report {
 namespace {
@@ -12,33 +16,6 @@ namespace {
 using nlohmann::json;
 
 double number_in(const json& value) { return value.is_number() ? value.get<double>() : std::nan(""); }
-
-/// What a claim measures ("volume gain"), of which run, and what that means.
-Html what_was_measured(const json& claim) {
-  std::string name = claim.at("metric");
-  std::replace(name.begin(), name.end(), '_', ' ');
-  const std::string of = claim.at("of");
-  const Html head = of.empty() ? text(name) : join({text(name + " of "), element("code", text(of))});
-  return join({head, element("div", text(claim.at("meaning").get<std::string>()), "class=\"soft\"")});
-}
-
-/// Why it is claimed; before that, why there is no number.
-std::string reason(const json& claim) {
-  const std::string problem = claim.value("problem", ""), why = claim.at("why");
-  return problem.empty() ? why : problem + "; " + why;
-}
-
-Html claims_table(const json& claims) {
-  std::vector<std::vector<Html>> rows;
-  for (const json& claim : claims) {
-    const std::string unit = claim.at("unit");
-    rows.push_back({what_was_measured(claim),
-                    text(number(number_in(claim.at("measured"))) + (unit == "1" || unit.empty() ? "" : " " + unit)),
-                    text(claim.at("condition").get<std::string>()), badge(claim.at("holds").get<bool>()),
-                    text(claim.at("kind").get<std::string>()), text(reason(claim))});
-  }
-  return table({"measured", "value", "claim", "verdict", "evidence", "why"}, rows);
-}
 
 Html runs_table(const json& runs) {
   std::vector<std::vector<Html>> rows;
@@ -53,12 +30,43 @@ Html runs_table(const json& runs) {
   return table({"run", "particles", "simulated", "steps", "time", "threads", "machine", "commit"}, rows);
 }
 
-Html figures_of(const json& files, const std::filesystem::path& folder) {
+/// "loaf.svg" becomes "loaf.csv".
+std::filesystem::path csv_beside(std::filesystem::path file) { return file.replace_extension(".csv"); }
+
+/// A link that saves the numbers of a chart.
+Html data_link(const std::filesystem::path& csv) {
+  if (!std::filesystem::exists(csv)) return {};
+  return element("a", text("numbers (CSV)"),
+                 fmt::format("class=\"soft\" download=\"{}\" href=\"{}\"", text(csv.filename().string()).code,
+                             data_address("text/csv", read_text_file(csv))));
+}
+
+/// A chart: over time drawn here, in the page's colours, else as gnuplot drew it.
+Html chart(const std::filesystem::path& svg, const std::string& shows, const std::string& follows) {
+  const std::filesystem::path csv = csv_beside(svg);
+  const auto over_time = std::filesystem::exists(csv) ? read_time_chart(csv) : std::nullopt;
+  return element("figure", join({over_time ? drawn(*over_time, shows, follows) : picture(svg, shows),
+                                 element("figcaption", join({text(shows + " "), data_link(csv)}))}));
+}
+
+Html charts(const json& files, const std::filesystem::path& folder, const std::string& follows) {
   std::vector<Html> parts;
-  for (const json& file : files) {
-    const std::string shows = file.at("shows");
-    parts.push_back(
-        element("figure", join({picture(folder / file.at("file").get<std::string>(), shows), element("figcaption", text(shows))})));
+  for (const json& file : files)
+    parts.push_back(chart(folder / file.at("file").get<std::string>(), file.at("shows").get<std::string>(), follows));
+  return parts.empty() ? Html{} : element("div", join(parts), "class=\"plots\"");
+}
+
+/// The pictures but those that stand for a body. The second kind, cuts with numbers, needs the whole width.
+Html pictures(const json& made, const std::filesystem::path& folder) {
+  std::vector<std::string> taken;
+  for (const json& object : objects_of(made)) taken.push_back(object.at("picture").get<std::string>() + ".png");
+  std::vector<Html> parts;
+  for (const json& file : made.at("pictures")) {
+    const std::string name = file.at("file"), shows = file.at("shows");
+    if (std::find(taken.begin(), taken.end(), name) != taken.end()) continue;
+    const bool is_slice = file.value("kind", "picture") == "slice";
+    parts.push_back(element("figure", join({picture(folder / name, shows), element("figcaption", text(shows))}),
+                            is_slice ? "class=\"whole-width\"" : ""));
   }
   return parts.empty() ? Html{} : element("div", join(parts), "class=\"pictures\"");
 }
@@ -78,20 +86,62 @@ Html computed_tables(const json& tables) {
 
 Html the_paper(const std::string& shows) { return element("p", join({element("strong", text("The paper: ")), text(shows)})); }
 
-Html made_parts(const json& made, const std::filesystem::path& folder) {
-  std::vector<Html> parts{the_paper(made.at("shows")),           figures_of(made.at("pictures"), folder),
-                          figures_of(made.at("charts"), folder), computed_tables(made.at("tables")),
-                          element("h3", text("Claims")),         claims_table(made.at("claims"))};
+/// A command, with a button that copies it where there is a script.
+Html command(const std::string& words) {
+  return join({element("code", text(words)), text(" "),
+               element("button", text("copy"), fmt::format("class=\"copy\" type=\"button\" data-copy=\"{}\" hidden", text(words).code))});
+}
+
+/// "3 runs, 9 460 to 9 781 particles, 2.4 minutes on Abacus."
+std::string cost(const json& runs) {
+  double least = INFINITY, most = 0, seconds = 0;
+  for (const json& run : runs) {
+    least = std::min(least, number_in(run.at("particles")));
+    most = std::max(most, number_in(run.at("particles")));
+    seconds += number_in(run.at("seconds"));
+  }
+  const std::string cpu = runs.front().at("provenance").at("machine").at("cpu");
+  return fmt::format("{} run{}, {} particles, {:.1f} minutes on {}.", runs.size(), runs.size() == 1 ? "" : "s",
+                     least == most ? number(most) : number(least) + " to " + number(most), seconds / 60, cpu);
+}
+
+/// Who made it, of what and with which command, in one fold.
+Html provenance_of(const json& made) {
+  const json& by = made.at("provenance");
+  std::vector<Html> parts{element("summary", text("How it was made"))};
+  parts.push_back(element(
+      "p", join({text("Made by "),
+                 command("./bake figure " + made.at("name").get<std::string>() + " --quality " + made.at("quality").get<std::string>()),
+                 text(fmt::format(" on {} with commit {}.", by.at("date").get<std::string>().substr(0, 10),
+                                  by.at("program").at("commit").get<std::string>().substr(0, 10)))})));
   if (!made.at("runs").empty()) {
-    parts.push_back(element("h3", text(fmt::format("Runs, quality {}", made.at("quality").get<std::string>()))));
+    parts.push_back(element("p", text(cost(made.at("runs"))), "class=\"soft\""));
     parts.push_back(runs_table(made.at("runs")));
   }
-  return join(parts);
+  return element("details", join(parts));
+}
+
+Html made_parts(const ReportedItem& reported, std::vector<Html>& data) {
+  const json& made = *reported.made;
+  const std::string place = anchor(*reported.item);
+  std::vector<Html> bodies;
+  for (const json& object : objects_of(made)) bodies.push_back(object_figure(object, place, reported.folder, data));
+  const Html statements =
+      element("div", join({element("h3", text("What is claimed, and what was measured")), cards(statements_of(made.at("claims")), place)}),
+              "class=\"statements\"");
+  const std::string follows = bodies.empty() ? "" : object_anchor(objects_of(made).front(), place);
+  const Html top = bodies.empty() ? statements : element("div", join({element("div", join(bodies)), statements}), "class=\"side\"");
+  std::vector<Html> beside;
+  for (const json& object : objects_of(made)) beside.push_back(followers(object, place));
+  const Html shown = pictures(made, reported.folder), drawn = charts(made.at("charts"), reported.folder, follows);
+  // what moves, or else pictures, come before words; charts stand beside the time that they share
+  if (bodies.empty())
+    return join({the_paper(made.at("shows")), shown, drawn, computed_tables(made.at("tables")), top, provenance_of(made)});
+  return join({the_paper(made.at("shows")), top, join(beside), drawn, shown, computed_tables(made.at("tables")), provenance_of(made)});
 }
 
 Html not_run_parts(const Item& item) {
-  return join(
-      {the_paper(item.shows), element("p", join({text("Made by "), element("code", text("./bake figure " + item.name)), text(".")}))});
+  return join({the_paper(item.shows), element("p", join({text("Made by "), command("./bake figure " + item.name), text(".")}))});
 }
 
 std::string capital(std::string words) {
@@ -109,14 +159,25 @@ ItemVerdict ReportedItem::verdict() const {
 }
 
 Html badge(bool holds) {
-  return element("span", text(holds ? "holds" : "missed"), holds ? "class=\"verdict good\"" : "class=\"verdict bad\"");
+  return element("span", text(holds ? "✓ holds" : "✗ missed"), holds ? "class=\"verdict good\"" : "class=\"verdict bad\"");
 }
 
 Html badge(ItemVerdict verdict) {
   constexpr std::pair<const char*, const char*> k_words[] = {
-      {"reproduced", "good"}, {"not reproduced", "bad"}, {"not run", "none"}, {"not there yet", "none"}};
+      {"✓ reproduced", "good"}, {"✗ not reproduced", "bad"}, {"○ not run", "none"}, {"○ not there yet", "none"}};
   const auto& [words, look] = k_words[static_cast<std::size_t>(verdict)];
   return element("span", text(words), fmt::format("class=\"verdict {}\"", look));
+}
+
+Html badge(const ReportedItem& reported) {
+  if (reported.verdict() != ItemVerdict::not_reproduced) return badge(reported.verdict());
+  const std::vector<Statement> statements = statements_of(reported.made->at("claims"));
+  const auto held = std::count_if(statements.begin(), statements.end(), [](const Statement& s) { return s.holds(); });
+  return element("span", text(fmt::format("✗ {} of {} statements", held, statements.size())), "class=\"verdict bad\"");
+}
+
+Html link_to(const std::string& anchor, std::string_view words) {
+  return element("a", text("#"), fmt::format("class=\"deep\" href=\"#{}\" aria-label=\"link to {}\"", anchor, text(words).code));
 }
 
 std::string anchor(const Item& item) {
@@ -131,10 +192,11 @@ std::string heading_of(const ReportedItem& reported) {
   return capital(reported.item->number) + ": " + title;
 }
 
-Html item_section(const ReportedItem& reported) {
-  const Html heading = element("h2", join({text(heading_of(reported)), badge(reported.verdict())}));
-  return element("section", join({heading, reported.made ? made_parts(*reported.made, reported.folder) : not_run_parts(*reported.item)}),
-                 fmt::format("id=\"{}\"", anchor(*reported.item)));
+Html item_section(const ReportedItem& reported, std::vector<Html>& data) {
+  const std::string place = anchor(*reported.item);
+  const Html heading = element("h2", join({text(heading_of(reported)), link_to(place, reported.item->number), badge(reported)}));
+  return element("section", join({heading, reported.made ? made_parts(reported, data) : not_run_parts(*reported.item)}),
+                 fmt::format("id=\"{}\"", place));
 }
 
 Html missing_section(const std::vector<ReportedItem>& missing) {
@@ -146,7 +208,10 @@ Html missing_section(const std::vector<ReportedItem>& missing) {
     rows.push_back({element("strong", text(heading_of(reported)), fmt::format("id=\"{}\"", anchor(*reported.item))),
                     text(reported.item->shows), element("ul", join(claims))});
   }
-  return element("section", join({element("h2", text("Not there yet")), table({"item", "the paper", "what is to be measured"}, rows)}));
+  const Html summary = element(
+      "summary", text(fmt::format("Not there yet: {}", missing.size() == 1 ? "one item" : std::to_string(missing.size()) + " items")));
+  return element("section", element("details", join({summary, table({"item", "the paper", "what is to be measured"}, rows)})),
+                 "id=\"missing\"");
 }
 
 }  // namespace bake::report

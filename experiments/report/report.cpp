@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include "experiments/make/figure_paths.h"
+#include "experiments/report/object_figure.h"
 #include "experiments/report/sections.h"
-#include "experiments/report/style.h"
+#include "experiments/report/sources.h"
+#include "experiments/report/statements.h"
 #include "solver/core/errors.h"
+#include "solver/io/json_fault.h"
 #include "solver/io/provenance.h"
 
 namespace bake::report {
@@ -35,14 +38,60 @@ Html counts(const ReportPage& report) {
                  "class=\"counts\"");
 }
 
+Html link_of(const ReportedItem& one, const Html& words) { return {fmt::format("<a href=\"#{}\">{}</a>", anchor(*one.item), words.code)}; }
+
+/// What was made, in order of its verdict: item and verdict on one line, below it what it shows.
 Html overview(const std::vector<ReportedItem>& items, const ReportPage& report) {
-  std::vector<std::vector<Html>> rows;
-  rows.reserve(items.size());
+  std::vector<Html> lines;
+  for (const ItemVerdict verdict : {ItemVerdict::reproduced, ItemVerdict::not_reproduced, ItemVerdict::not_run})
+    for (const ReportedItem& one : items)
+      if (one.verdict() == verdict)
+        lines.push_back(element("li", join({element("div", join({link_of(one, text(heading_of(one))), text(" "), badge(one)})),
+                                            element("p", text(one.item->shows), "class=\"soft\"")})));
+  std::vector<Html> rest;
   for (const ReportedItem& one : items)
-    rows.push_back({element("a", text(one.item->number), fmt::format("href=\"#{}\"", anchor(*one.item))), text(one.item->shows),
-                    badge(one.verdict())});
-  return element("section", join({element("h2", text("The paper's figures and tables, and experiments beside them")), counts(report),
-                                  table({"item", "what it shows", "verdict"}, rows)}));
+    if (one.verdict() == ItemVerdict::not_there_yet) {
+      if (!rest.empty()) rest.push_back(text(", "));
+      rest.push_back(link_of(one, text(one.item->number)));
+    }
+  const Html missing = rest.empty() ? Html{} : element("p", join({text("Not there yet: "), join(rest), text(".")}), "class=\"soft\"");
+  return element("section",
+                 join({element("h2", text("The paper's figures and tables, and experiments beside them")), counts(report),
+                       element("ul", join(lines), "class=\"items\""), missing}),
+                 "id=\"overview\"");
+}
+
+/// A line of links that stays in sight.
+Html way_about(const std::vector<ReportedItem>& items) {
+  std::vector<Html> links{element("a", text("overview"), "href=\"#overview\"")};
+  constexpr std::array k_signs{"✓", "✗", "○", "○"};
+  for (const ReportedItem& one : items)
+    if (one.verdict() != ItemVerdict::not_there_yet)
+      links.push_back(link_of(one, text(fmt::format("{}\u00a0{}", one.item->number, k_signs[static_cast<std::size_t>(one.verdict())]))));
+  return element("nav", join(links), "aria-label=\"figures and tables\"");
+}
+
+/// What a reader sees first: one picture and one sentence.
+Html first_sight(const std::vector<ReportedItem>& items) {
+  std::size_t held = 0, all = 0;
+  Html shown;
+  for (const ReportedItem& one : items) {
+    if (!one.made) continue;
+    for (const Statement& statement : statements_of(one.made->at("claims"))) {
+      ++all;
+      held += statement.holds();
+    }
+    const json& pictures = one.made->at("pictures");
+    if (pictures.empty() || !shown.code.empty()) continue;
+    const json objects = objects_of(*one.made);
+    const std::string file =
+        objects.empty() ? pictures.front().at("file").get<std::string>() : objects.front().at("picture").get<std::string>() + ".png";
+    shown = link_of(one, picture(one.folder / file, heading_of(one)));
+  }
+  if (all == 0) return {};
+  const std::string words =
+      fmt::format("{} of {} statements hold: what the paper says of its figures, and what follows from it.", held, all);
+  return element("div", join({shown, element("p", text(words), "class=\"lead\"")}), "class=\"first\"");
 }
 
 Html heading(Quality quality) {
@@ -64,26 +113,34 @@ Html heading(Quality quality) {
                    "class=\"soft\"")}));
 }
 
-Html page(const std::vector<Html>& main) {
+/// The browser itself refuses any request: what is not in the page is not there.
+constexpr const char* k_policy =
+    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'; "
+    "script-src 'unsafe-inline'; base-uri 'none'; form-action 'none'\">\n<link rel=\"icon\" href=\"data:,\">\n";
+
+/// `data`: of bodies; they stand behind what is seen, and the viewer behind them.
+Html page(const Html& header, const Html& nav, const std::vector<Html>& main, const std::vector<Html>& data) {
   const Html head = join({{"<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"},
+                          {k_policy},
+                          {"<meta name=\"color-scheme\" content=\"light dark\">\n"},
                           element("title", text("Bake: the report")),
-                          element("style", {k_style})});
+                          element("style", {k_style}),
+                          element("noscript", element("style", {"figure.body canvas, figure.body .controls { display: none; }"}))});
   const Html foot =
       element("footer", element("p",
                                 text("Evidence is analytic, published or measured; a regression only tells that a number changed. "
-                                     "Made by ./bake report."),
+                                     "One file; nothing is loaded from anywhere. Made by ./bake report."),
                                 "class=\"soft\""));
-  std::vector<Html> rest(main.begin() + 1, main.end());
-  const Html body = join({main.front(), element("main", join(rest)), foot});
+  const Html body = join({header, nav, element("main", join(main)), foot, join(data), element("script", {k_viewer})});
   return {"<!DOCTYPE html>\n" + element("html", join({element("head", head), element("body", body)}), "lang=\"en\"").code};
 }
 
 /// Turns errors about JSON that bake did not write into InputError.
-Html section_of(const ReportedItem& item) {
+Html section_of(const ReportedItem& item, std::vector<Html>& data) {
   try {
-    return item_section(item);
+    return item_section(item, data);
   } catch (const json::exception& error) {
-    throw InputError(fmt::format("{}: not what bake figure writes: {}", (item.folder / "claims.json").string(), error.what()));
+    throw InputError(fmt::format("{}: not what bake figure writes: {}", (item.folder / "claims.json").string(), json_fault(error)));
   }
 }
 
@@ -92,7 +149,7 @@ Html section_of(const ReportedItem& item) {
 ReportPage make_report(const Items& items, Quality quality) {
   ReportPage report;
   std::vector<ReportedItem> all, missing;
-  std::vector<Html> sections;
+  std::vector<Html> sections, data;
   for (const Item& item : items.items) {
     all.push_back(reported(item, quality));
     const ItemVerdict verdict = all.back().verdict();
@@ -100,14 +157,14 @@ ReportPage make_report(const Items& items, Quality quality) {
     if (verdict == ItemVerdict::not_there_yet)
       missing.push_back(all.back());
     else
-      sections.push_back(section_of(all.back()));
+      sections.push_back(section_of(all.back(), data));
   }
-  std::vector<Html> parts{heading(quality), overview(all, report)};
+  std::vector<Html> parts{first_sight(all), overview(all, report)};
   parts.insert(parts.end(), sections.begin(), sections.end());
   for (const auto& section : {orders_section, accuracy_section, departures_section, stability_section, effects_section})
     parts.push_back(section(items.root));
   parts.push_back(missing_section(missing));
-  report.page = page(parts).code;
+  report.page = page(heading(quality), way_about(all), parts, data).code;
   return report;
 }
 

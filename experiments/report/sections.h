@@ -21,16 +21,24 @@ struct ReportedItem {
   ItemVerdict verdict() const;
 };
 
+/// The badge of an item: a sign and words, "✗ 2 of 3 statements". Colour alone tells nothing.
+Html badge(const ReportedItem& reported);
 Html badge(ItemVerdict verdict);
-/// The badge of a claim or band: whether it holds.
+/// The badge of a statement, claim or band: whether it holds.
 Html badge(bool holds);
+
+/// A # that leads to an anchor; `words` say to what.
+Html link_to(const std::string& anchor, std::string_view words);
 
 /// The anchor of the item on the page: "figure-15".
 std::string anchor(const Item& item);
 
-/// The pictures, charts, claims and runs of an item that was made; else the command that makes it.
-Html item_section(const ReportedItem& reported);
-/// The items that do not exist yet, and what must be measured for them; empty if there are none.
+/// The bodies, statements, charts, pictures and runs of an item that was made; else the command that makes it. Data of the bodies, which
+/// stand at the end of the page so that it is seen before they are read, are added to `data`.
+Html item_section(const ReportedItem& reported, std::vector<Html>& data);
+/// "Figure 15: bread with ...".
+std::string heading_of(const ReportedItem& reported);
+/// The items that do not exist yet, and what must be measured for them, folded into one line; empty if there are none.
 Html missing_section(const std::vector<ReportedItem>& missing);
 
 /// The tables of those studies whose results are in <root>/paper.

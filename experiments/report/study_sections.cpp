@@ -7,6 +7,7 @@
 
 #include "experiments/report/sections.h"
 #include "solver/core/errors.h"
+#include "solver/io/json_fault.h"
 #include "solver/scene/entry.h"
 
 namespace bake::report {
@@ -25,7 +26,8 @@ Html made_by(const json& study) {
 }
 
 Html study_section(const char* id, const char* title, const char* words, const json& study, const Html& table) {
-  return element("section", join({element("h2", text(title)), element("p", text(words)), table, made_by(study)}),
+  return element("section",
+                 join({element("h2", join({text(title), link_to(id, title)})), element("p", text(words)), table, made_by(study)}),
                  fmt::format("id=\"{}\"", id));
 }
 
@@ -43,7 +45,7 @@ std::optional<json> read_json(const std::filesystem::path& file) {
   try {
     return json::parse(read_text_file(file));
   } catch (const json::exception& error) {
-    throw InputError(fmt::format("{}: damaged: {}", file.string(), error.what()));
+    throw InputError(fmt::format("{}: damaged: {}", file.string(), json_fault(error)));
   }
 }
 
@@ -65,7 +67,7 @@ Html departures_section(const std::filesystem::path& root) {
   std::vector<std::vector<Html>> rows;
   for (const json& one : study->at("consequences"))
     rows.push_back({text(word(one, "equation")), text_with_code(word(one, "printed")), text_with_code(word(one, "instead")),
-                    text(word(one, "measured")), text(word(one, "expected")), text(number(one.at("published"))),
+                    text(with_signs(word(one, "measured"))), text(with_signs(word(one, "expected"))), text(number(one.at("published"))),
                     text(number(one.at("standard")))});
   return study_section("departures", "Departures from the printed equations",
                        "Where the printed form can be run, this is what it does to a small case.", *study,
@@ -116,23 +118,27 @@ Html accuracy_section(const std::filesystem::path& root) {
   const auto study = read_json(root / "paper/accuracy.json");
   if (!study) return {};
   std::vector<std::vector<Html>> rows;
-  std::vector<Html> parts;
+  std::vector<Html> charts, parts;
   for (const json& one : study->at("cases")) {
     const auto cell = [](const json& at) {
       return text(at.is_null() ? "not reached" : fmt::format("{}, {} cells", word(at, "setting"), at.at("cells").get<int>()));
     };
-    rows.push_back({text(word(one, "case"))});
+    const std::string name = word(one, "case");
+    rows.push_back({text(name)});
     for (const json& goal : one.at("goals")) rows.back().push_back(cell(goal.at("by_particle_steps")));
-    std::vector<Html> sentences{element("h3", text(word(one, "case"))), element("p", text(word(one, "measured")), "class=\"soft\"")};
-    const auto chart = root / "paper/accuracy" / (word(one, "case") + ".svg");
-    if (std::filesystem::exists(chart)) sentences.push_back(picture(chart, "Error against cost: " + word(one, "measured")));
+    std::vector<Html> sentences{element("strong", text(name)), element("div", text(word(one, "measured")), "class=\"soft\"")};
     for (const json& sentence : one.at("conclusions")) sentences.push_back(element("p", text(sentence.get<std::string>())));
-    parts.push_back(join(sentences));
+    const auto chart = root / "paper/accuracy" / (name + ".svg");
+    if (std::filesystem::exists(chart))
+      charts.push_back(
+          element("figure", join({picture(chart, "Error against cost: " + word(one, "measured")), element("figcaption", text(name))})));
+    parts.push_back(element("li", join(sentences)));
   }
-  parts.insert(parts.begin(), table({"cheapest for", "10 %", "3 %", "1 %", "0.3 %"}, rows));
+  const Html cases = element("details", join({element("summary", text("What each case tells")), element("ul", join(parts))}));
+  const Html small = element("div", join(charts), "class=\"plots\"");
   return study_section("accuracy", "What accuracy costs",
                        "Relative errors against exact solutions or fine runs, beside the particle-steps and the time that they cost.",
-                       *study, join(parts));
+                       *study, join({small, table({"cheapest for", "10 %", "3 %", "1 %", "0.3 %"}, rows), cases}));
 }
 
 }  // namespace bake::report

@@ -84,7 +84,7 @@ bool keeps_saturations(const Cube& cube, double safety) {
   });
 }
 
-Cube elastic(double E) {
+Cube elastic_cube(double E) {
   Cube cube;
   cube.effects = "motion, elasticity";
   cube.material = fmt::format("young_modulus_Pa = {}\npoisson_ratio = 0.3\n", E);
@@ -115,7 +115,7 @@ Cube diffusing(double K) {
 
 /// Soft solid, stiff pores: the gas alone sets the step.
 Cube leavened(double p_ref) {
-  Cube cube = elastic(1e-3 * p_ref);
+  Cube cube = elastic_cube(1e-3 * p_ref);
   cube.effects = "motion, heat, elasticity, plasticity, leavening";
   cube.material += "initial_porosity = 0.3\nyield_stress_Pa = 1e9\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 0\n";
   cube.tables = fmt::format("[leavening]\nreference_pressure_Pa = {}\n", p_ref);
@@ -157,7 +157,7 @@ std::vector<Probe> all_probes(bool quick) {
     for (const char* transfer : {"apic", "pic", "flip"}) {
       const std::string map = fmt::format("elastic waves, {}, {}", kernel, transfer);
       const auto of = [&](double E) {
-        Cube cube = elastic(E);
+        Cube cube = elastic_cube(E);
         cube.kernel = kernel;
         cube.motion = fmt::format("transfer = \"{}\"", transfer);
         return cube;

@@ -19,10 +19,13 @@ struct SkinArguments {
 };
 
 int skin(const SkinArguments& arguments) {
-  const Source source = find_source(arguments.source);
+  Meter meter("skin");
+  const Source source = find_source(arguments.source, [&](const std::string& line) {
+    meter.clear();
+    fmt::print(stderr, "bake-mesh: {}\n", line);
+  });
   const double edge = arguments.edge_length_m > 0 ? arguments.edge_length_m : source.particle_spacing_m;
   if (!(edge > 0)) throw InputError("--edge-length is required with a surface: it has no particles");
-  Meter meter("skin");
   const TriangleMesh skin =
       make_skin(*source.solid, source.surface ? &*source.surface : nullptr, edge, [&](const std::string& doing) { meter.phase(doing); });
   meter.clear();

@@ -15,6 +15,8 @@ struct SourceArguments {
   Quality quality = Quality::draft;
   std::vector<std::string> overrides;
   int body = 0;
+  std::string unit = "m", up = "z";  ///< of a surface
+  bool unit_is_given = false;
 
   void add_to(CLI::App& command);
 };
@@ -26,6 +28,7 @@ struct Source {
 };
 
 /// Throws InputError if the scene or kind of file is unknown, the file has a mistake, or the body does not exist or has no shape.
-Source find_source(const SourceArguments& arguments);
+/// `say` gets a line for each thing that was mended, or that looks doubtful.
+Source find_source(const SourceArguments& arguments, const Tell& say);
 
 }  // namespace bake::cli

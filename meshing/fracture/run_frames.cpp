@@ -55,7 +55,7 @@ int RunFrames::nearest(double time_s) const {
 void RunFrames::read(int frame) {
   current_.clear();
   current_.emplace_back(file(frame));
-  const std::vector<float> flat = current_.front().positions();
+  const std::vector<double> flat = current_.front().positions();
   rows_ = current_.front().rows_by_identity(first_particle_, positions_.size());
   for (std::size_t v = 0; v < positions_.size(); ++v)
     for (int k = 0; rows_[v] >= 0 && k < 3; ++k) positions_[v][k] = flat[3 * rows_[v] + k];

@@ -10,6 +10,7 @@
 
 #include <cmath>
 
+#include "meshing/tets/effort.h"
 #include "meshing/tets/lattice_mesher.h"
 #include "meshing/tets/surface_foot.h"
 #include "solver/core/errors.h"
@@ -59,6 +60,7 @@ void make_even(Surface& surface, double edge_length_m) {
 }  // namespace
 
 TriangleMesh make_skin(const Shape& solid, const TriangleMesh* surface, double edge_length_m, const Tell& tell) {
+  if (surface != nullptr) require_effort(fmt::format("edges of {:.4g} m", edge_length_m), skin_effort(area(*surface), edge_length_m));
   Surface even = surface_of(surface != nullptr ? *surface : first_guess(solid, edge_length_m, tell));
   tell(fmt::format("making {} triangles even", even.number_of_faces()));
   make_even(even, edge_length_m);

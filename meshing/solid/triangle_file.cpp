@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads a surface and reports what is wrong with it.
+// Reads a surface, has it cleaned, and reports what is wrong with it then.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <map>
 
+#include "meshing/solid/cleaning.h"
 #include "meshing/solid/triangle_mesh.h"
 #include "meshing/union_find.h"
 #include "solver/core/errors.h"
@@ -24,47 +22,46 @@ namespace {
 
 namespace processing = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Faces = std::vector<std::vector<std::size_t>>;
+using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 
-constexpr const char* k_endings[] = {".stl", ".obj", ".ply", ".off"};
+constexpr double k_doubtful_extent_m = 20;  // what is baked is smaller
 
-std::string ending(const std::filesystem::path& file) {
-  std::string text = file.extension().string();
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
+double largest_extent(const TriangleMesh& mesh) {
+  Point low = mesh.points[0], high = low;
+  for (const Point& x : mesh.points)
+    for (int i = 0; i < 3; ++i) low[i] = std::min(low[i], x[i]), high[i] = std::max(high[i], x[i]);
+  return std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
 }
 
-/// Checks a surface that has been read, and reports what is wrong.
+/// Checks a surface that has been cleaned, reports what is wrong, and turns it outwards.
 class Examination {
  public:
-  Examination(const std::filesystem::path& file, const TriangleMesh& mesh) : file_(file.string()), mesh_(mesh) {}
+  Examination(TriangleMesh& mesh, Mended& mended) : mesh_(mesh), mended_(mended) {}
 
-  void run() const {
-    if (mesh_.triangles.empty()) refuse("is empty: it has no triangles");
-    check_corners();
+  void run() {
+    check_area();
     check_edges();
     check_vertices();
     check_inside();
   }
 
  private:
-  [[noreturn]] void refuse(const std::string& what) const { throw InputError(fmt::format("{}: {}", file_, what)); }
+  [[noreturn]] static void refuse(const std::string& what) { throw InputError(what); }
 
   std::string at(std::size_t vertex) const {
     const Point& x = mesh_.points[vertex];
     return fmt::format("vertex {} ({:.4g} {:.4g} {:.4g})", vertex, x[0], x[1], x[2]);
   }
 
-  void check_corners() const {
-    for (std::size_t v = 0; v < mesh_.points.size(); ++v)
-      for (const double x : mesh_.points[v])
-        if (!std::isfinite(x)) refuse(fmt::format("vertex {} has a coordinate that is no finite number", v));
+  void check_area() const {
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       const auto& [a, b, c] = mesh_.triangles[t];
       const auto& x = mesh_.points;
       if (!(length(cross(x[b] - x[a], x[c] - x[a])) > 0)) refuse(fmt::format("triangle {} at {} has no area", t, at(a)));
     }
   }
+
+  static std::string edges_text(std::size_t count) { return fmt::format("{} edge{}", count, count == 1 ? "" : "s"); }
 
   /// Every edge must occur once in each direction.
   void check_edges() const {
@@ -74,12 +71,15 @@ class Examination {
         const std::int32_t a = t[k], b = t[(k + 1) % 3];
         ++uses[std::minmax(a, b)][a < b];
       }
+    std::size_t open = 0;
+    for (const auto& [edge, count] : uses) open += count[0] + count[1] == 1;
     for (const auto& [edge, count] : uses) {
       const int all = count[0] + count[1];
+      if (all == 2 && count[0] == 1) continue;
       const std::string where = fmt::format("at the edge from {} to {}", at(edge.first), at(edge.second));
-      if (all == 1) refuse("is open " + where + ", allowed: closed surfaces");
+      if (all == 1) refuse(fmt::format("is open {}, and at {} in all, allowed: closed surfaces", where, edges_text(open)));
       if (all > 2) refuse(fmt::format("is not manifold {}: {} triangles meet there, allowed: 2", where, all));
-      if (count[0] != 1) refuse("has neighbouring triangles that turn different ways " + where);
+      refuse("has neighbouring triangles that turn different ways " + where);
     }
   }
 
@@ -103,62 +103,76 @@ class Examination {
     }
   }
 
-  void check_inside() const {
+  Surface surface() const {
     std::vector<Kernel::Point_3> points;
     for (const Point& x : mesh_.points) points.emplace_back(x[0], x[1], x[2]);
-    Faces faces;
+    std::vector<std::vector<std::size_t>> faces;
     for (const Triangle& t : mesh_.triangles) faces.emplace_back(t.begin(), t.end());
-    CGAL::Surface_mesh<Kernel::Point_3> surface;
-    processing::polygon_soup_to_polygon_mesh(points, faces, surface);
-    using Face = CGAL::Surface_mesh<Kernel::Point_3>::Face_index;
+    Surface result;
+    processing::polygon_soup_to_polygon_mesh(points, faces, result);
+    return result;
+  }
+
+  void check_inside() {
+    Surface closed = surface();
+    using Face = Surface::Face_index;
     std::vector<std::pair<Face, Face>> crossing;
-    processing::self_intersections(surface, std::back_inserter(crossing));
+    processing::self_intersections(closed, std::back_inserter(crossing));
     if (!crossing.empty()) {
       const auto& [a, b] = *std::min_element(crossing.begin(), crossing.end());
       refuse(fmt::format("intersects itself: triangles {} and {} at {} do, and {} pairs in all", static_cast<std::size_t>(a),
                          static_cast<std::size_t>(b), at(mesh_.triangles[static_cast<std::size_t>(a)][0]), crossing.size()));
     }
-    const double volume = enclosed_volume(mesh_);
-    if (!(volume > 0))
-      refuse(fmt::format("is inside out: its volume is {:.4g} m^3; triangles must be counter-clockwise from outside", volume));
-    if (!processing::does_bound_a_volume(surface)) refuse("has a shell that is inside out: shells must in turn hold and leave out");
+    // Shells that were turned within themselves tell nothing of inside and outside any more; else only all of them together are turned.
+    if (mended_.turned)
+      turn_to_bound_a_volume(closed);
+    else if (enclosed_volume(mesh_) < 0)
+      turn_all(closed);
+    if (!processing::does_bound_a_volume(closed) || !(enclosed_volume(mesh_) > 0))
+      refuse("has a shell that is inside out: shells must in turn hold and leave out");
   }
 
-  std::string file_;
-  const TriangleMesh& mesh_;
+  void turn_to_bound_a_volume(Surface& closed) {
+    processing::orient_to_bound_a_volume(closed);
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      int k = 0;
+      const auto face = Surface::Face_index(static_cast<Surface::size_type>(t));
+      for (const auto v : CGAL::vertices_around_face(closed.halfedge(face), closed))
+        mesh_.triangles[t][k++] = static_cast<std::int32_t>(static_cast<std::size_t>(v));
+    }
+  }
+
+  void turn_all(Surface& closed) {
+    for (Triangle& t : mesh_.triangles) std::swap(t[1], t[2]);
+    mended_.turned = true;
+    closed = surface();
+  }
+
+  TriangleMesh& mesh_;
+  Mended& mended_;
 };
 
 }  // namespace
 
-bool is_triangle_file(const std::filesystem::path& file) {
-  return std::find(std::begin(k_endings), std::end(k_endings), ending(file)) != std::end(k_endings);
-}
-
-TriangleMesh read_triangle_mesh(const std::filesystem::path& file) {
-  if (!std::ifstream(file)) throw InputError(fmt::format("{}: cannot open", file.string()));
-  std::vector<Kernel::Point_3> points;
-  Faces faces;
-  bool is_read = false;
+TriangleMesh read_triangle_mesh(const std::filesystem::path& file, const SurfaceReading& reading) {
+  PolygonSoup soup = read_polygon_soup(file);
+  for (Point& x : soup.points) {
+    x = reading.unit_m * x;
+    if (reading.y_is_up) x = {x[0], -x[2], x[1]};
+  }
   try {
-    is_read = CGAL::IO::read_polygon_soup(file.string(), points, faces, CGAL::parameters::verbose(false));
-  } catch (const std::exception&) {  // the exceptions of CGAL's readers tell nothing more
+    Mended mended;
+    TriangleMesh mesh = clean_surface(soup, mended);
+    Examination(mesh, mended).run();
+    const std::string text = mended.text();
+    if (!text.empty()) reading.say(fmt::format("{}: mended: {}", file.string(), text));
+    if (const double extent = largest_extent(mesh); extent > k_doubtful_extent_m && !reading.unit_is_given)
+      reading.say(
+          fmt::format("{}: is {:.4g} m across, if its numbers are metres; if they are millimetres, add --unit mm", file.string(), extent));
+    return mesh;
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
   }
-  if (!is_read && !(points.empty() && faces.empty()))
-    throw InputError(
-        fmt::format("{}: damaged, or not what its ending says (behind vertex {} and face {})", file.string(), points.size(), faces.size()));
-  if (ending(file) == ".stl") processing::merge_duplicate_points_in_polygon_soup(points, faces);  // STL repeats every corner
-  TriangleMesh mesh;
-  for (const auto& x : points) mesh.points.push_back({x.x(), x.y(), x.z()});
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    for (const std::size_t v : faces[f])
-      if (v >= points.size())
-        throw InputError(fmt::format("{}: face {}: found vertex {}, allowed: 0 to {}", file.string(), f, v, points.size() - 1));
-    for (std::size_t k = 2; k < faces[f].size(); ++k)
-      mesh.triangles.push_back(
-          {static_cast<std::int32_t>(faces[f][0]), static_cast<std::int32_t>(faces[f][k - 1]), static_cast<std::int32_t>(faces[f][k])});
-  }
-  Examination(file, mesh).run();
-  return mesh;
 }
 
 }  // namespace bake

@@ -103,9 +103,11 @@ TetMesh feature_tets(const TriangleMesh& surface, std::size_t target, const Tell
   const auto miss = [&](const TetMesh& mesh) {
     return std::abs(static_cast<double>(mesh.points.size()) / static_cast<double>(target) - 1);
   };
+  constexpr double k_hopeless = 0.1;
   auto wanted = static_cast<double>(target);
   TetMesh best;
   for (int round = 0; round < 6 && (round == 0 || miss(best) > 0.015); ++round) {
+    if (wanted < k_hopeless * static_cast<double>(target)) break;  // the sharp edges alone need more
     tell(fmt::format("refining to about {:.0f} vertices", wanted));
     TetMesh mesh = to_tet_mesh(refine(closed, size_for(wanted, volume, whole_area)));
     if (mesh.points.empty()) break;

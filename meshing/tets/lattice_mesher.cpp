@@ -58,22 +58,33 @@ class Spacing {
   std::unordered_map<std::int64_t, std::vector<Point>> cells_;
 };
 
-/// All lattice points within the solid and a little around it.
+/// All lattice points within the box and a little around it. Of each row of the lattice only the part that crosses the box is visited.
 template <class Visit>
 void for_lattice_points(const Box3& box, double a, double margin, Visit visit) {
   static const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   const Point centre = 0.5 * (box.low + box.high);
   const int reach = static_cast<int>(std::ceil((0.5 * length(box.high - box.low) + margin) / a)) + 1;
+  const auto place = [&](int i, int j, int k, double half) {
+    const Eigen::Vector3d y = a * (turn * Eigen::Vector3d(i + half + 0.137, j + half + 0.271, k + half + 0.093));
+    return centre + Vector3{y[0], y[1], y[2]};
+  };
   for (int i = -reach; i <= reach; ++i)
-    for (int j = -reach; j <= reach; ++j)
-      for (int k = -reach; k <= reach; ++k)
+    for (int j = -reach; j <= reach; ++j) {
+      double first = -reach, last = reach;  // of k, by the box's faces and a little more
+      for (int c = 0; c < 3; ++c) {
+        const double start = place(i, j, 0, 0.25)[c], step = a * turn(c, 2);
+        const double low = (box.low[c] - margin - a - start) / step, high = (box.high[c] + margin + a - start) / step;
+        first = std::max(first, std::min(low, high));
+        last = std::min(last, std::max(low, high));
+      }
+      for (int k = static_cast<int>(std::ceil(first)); k <= last; ++k)
         for (const double half : {0.0, 0.5}) {
-          const Eigen::Vector3d y = a * (turn * Eigen::Vector3d(i + half + 0.137, j + half + 0.271, k + half + 0.093));
-          const Point x = centre + Vector3{y[0], y[1], y[2]};
+          const Point x = place(i, j, k, half);
           bool near = true;
           for (int c = 0; c < 3; ++c) near = near && x[c] > box.low[c] - margin && x[c] < box.high[c] + margin;
           if (near) visit(x);
         }
+    }
 }
 
 /// The lattice of constant `a` with its outer points moved onto the surface. Points on sharp features come first, then those on faces, then

@@ -18,7 +18,7 @@ constexpr std::size_t k_keys = (0 + ... + std::tuple_size_v<decltype(Structs::pa
 static_assert(
     k_keys<DomainSettings, GridSettings, SurfaceSettings, Oven, Material, Body, Collider, Grip, Emitter, Skin> == 68 &&
         k_keys<Motion::Settings, Heat::Settings, Water::Settings, Elasticity::Settings, Plasticity::Settings, Leavening::Settings> == 19 &&
-        k_keys<Heat::Material, Water::Material, Elasticity::Material, Plasticity::Material, Leavening::Material> == 16,
+        k_keys<Heat::Material, Water::Material, Elasticity::Material, Plasticity::Material, Leavening::Material> == 19,
     "scenes have another number of keys: hand the new one to the textbook or refuse it here, so that it is not left out silently");
 
 void refuse_unknown_effects(const Scene& scene) {
@@ -57,6 +57,9 @@ textbook::Material plain(const Material& m) {
   out.alpha_s = heat.specific_heat_J_per_kgK;
   out.kappa = heat.conductivity_W_per_mK;
   out.alpha_l = heat.expansion_per_K;
+  out.transition_heat = heat.transition_heat_J_per_kg;
+  out.transition_from = heat.transition_from_C;
+  out.transition_to = heat.transition_to_C;
   const auto& water = of<Water>(m);
   out.rho_w = water.water_density_kg_per_m3;
   out.K = water.diffusivity_m2_per_sK;
@@ -180,7 +183,7 @@ void cover(const Scene& scene, const std::vector<MadeSkin>& skins, const std::ve
       angular.push_back(plain(vertices[v].angular_velocity));
     }
     first += points.size();
-    baker.cover(sheet, points, {skins[s].mesh.triangles.begin(), skins[s].mesh.triangles.end()}, velocities, angular);
+    baker.cover(sheet, points, {skins[s].mesh.triangles.begin(), skins[s].mesh.triangles.end()}, skins[s].covers, velocities, angular);
   }
 }
 

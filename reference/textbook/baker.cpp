@@ -35,11 +35,11 @@ void Baker::add(const Beginning& b) {
 }
 
 void Baker::cover(const Sheet& sheet, const std::vector<Vector>& points, const std::vector<std::array<int, 3>>& triangles,
-                  const std::vector<Vector>& velocities, const std::vector<Vector>& angular_velocities) {
+                  const std::vector<double>& covers, const std::vector<Vector>& velocities, const std::vector<Vector>& angular_velocities) {
   Skin skin{sheet, points, triangles, {}};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vector& w = angular_velocities[i];
-    skin.vertices.push_back({points[i], velocities[i], {{{0, -w[2], w[1]}, {w[2], 0, -w[0]}, {-w[1], w[0], 0}}}});
+    skin.vertices.push_back({points[i], velocities[i], {{{0, -w[2], w[1]}, {w[2], 0, -w[0]}, {-w[1], w[0], 0}}}, 0, covers[i]});
   }
   for (const auto& t : triangles)
     for (const int corner : t) skin.vertices[static_cast<std::size_t>(corner)].area += triangle_area(points, t) / 3;

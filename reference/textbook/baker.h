@@ -31,9 +31,9 @@ class Baker {
   Baker& operator=(const Baker&) = delete;
 
   void add(const Beginning&);
-  /// A skin of the sheet that is at rest where its points are, with a velocity and an angular velocity of each.
+  /// A skin of the sheet that is at rest where its points are, with what each covers, its velocity and its angular velocity.
   void cover(const Sheet&, const std::vector<Vector>& points, const std::vector<std::array<int, 3>>& triangles,
-             const std::vector<Vector>& velocities, const std::vector<Vector>& angular_velocities);
+             const std::vector<double>& covers, const std::vector<Vector>& velocities, const std::vector<Vector>& angular_velocities);
   /// One step: scatter (P2G), grid update, gather (G2P). A run begins with a step of no duration, which finds the first fluxes.
   void step(double dt, const Surroundings&);
 

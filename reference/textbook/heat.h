@@ -2,6 +2,8 @@
 // Heat: conduction, heat transfer at the surface, expansion, and what moving water carries.   [Ding19 Sec. 4, 6.3]
 #pragma once
 
+#include <algorithm>
+
 #include "reference/textbook/grid.h"
 #include "reference/textbook/particle.h"
 
@@ -86,13 +88,30 @@ inline double evened_out(double rate, double diffusivity, double dt, double dx) 
   return x / (1 + x);
 }
 
+/// Heat of melting or setting that a particle of this temperature holds [J].
+inline double latent_heat(double theta, const Particle& p, const Material& m) {
+  return m.transition_heat * p.m_s * std::clamp((theta - m.transition_from) / (m.transition_to - m.transition_from), 0.0, 1.0);
+}
+
+/// The temperature at which c theta and latent heat together are `heat`, which rises with it: by bisection.
+inline double temperature_of(double heat, double capacity, const Particle& p, const Material& m) {
+  double low = (heat - m.transition_heat * p.m_s) / capacity, high = heat / capacity;
+  for (;;) {
+    const double middle = low + 0.5 * (high - low);
+    if (middle <= low || middle >= high) return middle;
+    (capacity * middle + latent_heat(middle, p, m) < heat ? low : high) = middle;
+  }
+}
+
 /// theta += sum w (theta_i' - theta_i)   [Ding19 Eq. 21], then subgrid diffusion
 /// DEPARTS [Ding19 Eq. 21]: without it, what differs within a cell stays for ever.
 inline void take_heat(const SeenHeat& seen, const Recipe& recipe, const Material& m, double dt, Particle& p) {
+  const double capacity = heat_capacity(p, recipe, m), latent = latent_heat(p.theta, p, m);
   p.theta += seen.change;
-  const double diffusivity = m.kappa * p.V() / heat_capacity(p, recipe, m);
+  const double diffusivity = m.kappa * p.V() / capacity;
   p.theta_lent = evened_out(recipe.heat_subgrid, diffusivity, dt, recipe.dx) * (seen.theta - p.theta);
   p.theta += p.theta_lent;
+  if (m.transition_heat > 0) p.theta = temperature_of(capacity * p.theta + latent, capacity, p, m);
   p.theta_peak = std::max(p.theta_peak, p.theta);
   p.grad_theta = seen.grad_theta;
 }

@@ -69,7 +69,8 @@ inline void return_mapping(const Recipe& recipe, const Material& m, double dt, P
   const double unstressed = thermal_strain(p, recipe, m);
   flow.p_tr = -m.bulk() * (volumetric - unstressed);
   flow.q_tr = std::sqrt(1.5 * frobenius_squared(2 * m.mu() * deviator));
-  flow.a = n <= k_no_pores && flow.p_tr > 0 ? 0 : cap(n);  // without pores there is nothing to compact
+  const bool never_porous = m.initial_porosity <= k_no_pores;                // then nothing opens, either
+  flow.a = never_porous || (n <= k_no_pores && flow.p_tr > 0) ? 0 : cap(n);  // without pores there is nothing to compact
   flow.K = m.bulk();
   flow.mu = m.mu();
   flow.tau_y = of_temperature(m.tau_y, p, m);

@@ -34,9 +34,11 @@ struct Material {
   double young_modulus = 0;  ///< E [Pa]
   double poisson_ratio = 0;  ///< nu [1]
   // heat
-  double alpha_s = 0;  ///< heat capacity of the solid per mass [J/(kg K)]
-  double kappa = 0;    ///< conductivity [W/(m K)]
-  double alpha_l = 0;  ///< linear thermal expansion [1/K]
+  double alpha_s = 0;                             ///< heat capacity of the solid per mass [J/(kg K)]
+  double kappa = 0;                               ///< conductivity [W/(m K)]
+  double alpha_l = 0;                             ///< linear thermal expansion [1/K]
+  double transition_heat = 0;                     ///< latent heat of melting or setting, per mass of the solid [J/kg]
+  double transition_from = 0, transition_to = 1;  ///< between which it is taken up [C]
   // water
   double rho_w = 0;   ///< intrinsic density of water [kg/m^3]
   double K = 0;       ///< Fick's constant [m^2/(s K)]

@@ -27,7 +27,8 @@ struct Sheet {
 struct Vertex {
   Vector x, v;
   Matrix C;
-  double area = 0;  ///< at rest [m^2]
+  double area = 0;    ///< at rest [m^2]
+  double covers = 1;  ///< area of the surface above it, over its own
 };
 
 struct Skin {
@@ -126,8 +127,8 @@ inline void scatter_vertex(const Skin& skin, const Vertex& p, const Vector& forc
   const Vector v = recipe.transfer == Transfer::apic ? p.v + p.C * o.r : p.v;
   node.mass += o.w * inertia;
   node.momentum += o.w * (inertia * v + dt * force + (-dt * (skin.sheet.inertia - 1) * mass) * recipe.gravity);
-  node.skin_area += o.w * p.area;
-  node.closed_area += o.w * (1 - skin.sheet.permeance) * p.area;
+  node.skin_area += o.w * p.covers * p.area;
+  node.closed_area += o.w * (1 - skin.sheet.permeance) * p.covers * p.area;
 }
 
 /// S_open = S - (1 - permeance) min(S, S_skin).

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "solver/boundary/shape.h"
+#include "solver/core/elementary.h"
 #include "solver/core/vector3.h"
 
 namespace bake {
@@ -31,14 +32,14 @@ constexpr Quaternion inverse(const Quaternion& q) { return {q.w, -q.v}; }
 /// The rotation by |a| [rad] about a.
 inline Quaternion quaternion(const Vector3& rotation_rad) {
   const double angle = length(rotation_rad);
-  return {std::cos(angle / 2), std::sin(angle / 2) * unit(rotation_rad)};
+  return {elementary::cosine(angle / 2), elementary::sine(angle / 2) * unit(rotation_rad)};
 }
 
 /// Rotation vector of at most half a turn [rad].
 inline Vector3 rotation_vector(const Quaternion& q) {
   const double sine = length(q.v);
-  const double angle = 2 * (q.w < 0 ? std::atan2(-sine, -q.w) : std::atan2(sine, q.w));
-  return angle * unit(q.v);
+  const double half = elementary::angle(sine, std::abs(q.w));
+  return (q.w < 0 ? -2 : 2) * half * unit(q.v);
 }
 
 constexpr Rotation matrix(const Quaternion& q) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "solver/core/elementary.h"
 #include "solver/core/vector3.h"
 
 namespace bake {
@@ -176,11 +177,11 @@ Gauge superellipsoid_gauge(const Vector3& y, const Vector3& half, double p, doub
     return {0, gradient};
   }
   for (double& coordinate : u) coordinate /= scale;  // no overflow, however large the exponents
-  const double plan = std::pow(std::pow(u[0], p) + std::pow(u[1], p), 1 / p);
-  const double all = std::pow(std::pow(plan, q) + std::pow(u[2], q), 1 / q);
-  const double by_plan = plan > 0 ? std::pow(plan / all, q - 1) : 0;
-  const auto in_plan = [&](int i) { return plan > 0 ? by_plan * std::pow(u[i] / plan, p - 1) / half[i] : 0; };
-  return {scale * all, {in_plan(0), in_plan(1), std::pow(u[2] / all, q - 1) / half[2]}};
+  const double plan = elementary::power(elementary::power(u[0], p) + elementary::power(u[1], p), 1 / p);
+  const double all = elementary::power(elementary::power(plan, q) + elementary::power(u[2], q), 1 / q);
+  const double by_plan = plan > 0 ? elementary::power(plan / all, q - 1) : 0;
+  const auto in_plan = [&](int i) { return plan > 0 ? by_plan * elementary::power(u[i] / plan, p - 1) / half[i] : 0; };
+  return {scale * all, {in_plan(0), in_plan(1), elementary::power(u[2] / all, q - 1) / half[2]}};
 }
 
 }  // namespace

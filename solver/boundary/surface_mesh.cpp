@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <tuple>
 #include <unordered_set>
@@ -42,10 +43,9 @@ class Lattice {
       throw InputError(fmt::format("found about {:.2g} cells of the size of its triangles, allowed: {:g}", cells, k_most_cells));
     below_.resize(static_cast<std::size_t>(cells));
     level_.resize(below_.size());
-    for (std::size_t n = 0; n < level_.size(); ++n) {
-      level_[n] = shape.distance(node(coordinates(n))) + depth;
-      below_[n] = level_[n] < 0;
-    }
+    for (std::size_t n = 0; n < level_.size(); ++n) level_[n] = shape.distance(node(coordinates(n))) + depth;
+    join_sides();
+    for (std::size_t n = 0; n < level_.size(); ++n) below_[n] = level_[n] < 0;
   }
 
   /// The surface as a net: one vertex for each cell that it passes, in the middle of where it crosses the cell's edges, and a quadrangle
@@ -110,6 +110,44 @@ class Lattice {
     return {static_cast<int>(n / z / y), static_cast<int>(n / z % y), static_cast<int>(n % z)};
   }
   Point node(const std::array<int, 3>& at) const { return low_ + spacing_ * Vector3{double(at[0]), double(at[1]), double(at[2])}; }
+  /// A cell has one vertex, so the corners on either side of the surface must hang together in it. At sharp edges some do not: the fewer of
+  /// them then change sides. That matters little, since vertices are moved onto the surface.
+  void join_sides() {
+    constexpr int k_most_rounds = 20;
+    bool changed = true;
+    for (int round = 0; changed && round < k_most_rounds; ++round) {
+      changed = false;
+      for_each_cell([&](const std::array<int, 3>& at) {
+        std::size_t corner[8];
+        unsigned below = 0;
+        for (unsigned c = 0; c < 8; ++c) {
+          corner[c] = number({at[0] + int(c >> 2), at[1] + int(c >> 1 & 1), at[2] + int(c & 1)});
+          below |= unsigned(level_[corner[c]] < 0) << c;
+        }
+        for (const unsigned side : {below, ~below & 255U}) {
+          const unsigned part = hanging_together(side);
+          if (part == side) continue;
+          const unsigned rest = side & ~part, few = std::popcount(part) < std::popcount(rest) ? part : rest;
+          for (unsigned c = 0; c < 8; ++c)
+            if (few >> c & 1) level_[corner[c]] = level_[corner[c]] < 0 ? 1e-3 * spacing_ : -1e-3 * spacing_;
+          changed = true;
+          return;
+        }
+      });
+    }
+  }
+  /// Of the corners of a cell those that hang together with the first along its edges.
+  static unsigned hanging_together(unsigned corners) {
+    unsigned part = corners & (~corners + 1), before = 0;
+    while (part != before) {
+      before = part;
+      for (unsigned c = 0; c < 8; ++c)
+        if (before >> c & 1)
+          for (const unsigned neighbour : {c ^ 1U, c ^ 2U, c ^ 4U}) part |= corners & 1U << neighbour;
+    }
+    return part;
+  }
+
   template <class Visit>
   void for_each_cell(Visit visit) const {
     for (int x = 1; x + 1 < count_[0]; ++x)

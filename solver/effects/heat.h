@@ -18,7 +18,7 @@ BAKE_FIELD(expansion_heat, ExpansionHeat, 1, "expansion_heat", "J", "heat taken 
 }  // namespace booked
 
 namespace total {
-BAKE_FIELD(heat_content, HeatContent, 1, "heat_content", "J", "heat content, sum of c theta from 0 C");
+BAKE_FIELD(heat_content, HeatContent, 1, "heat_content", "J", "heat content, sum of c theta from 0 C, and of latent heat that dough holds");
 BAKE_FIELD(temperature, Temperature, 1, "", "m^3 C", "sum of V theta");
 BAKE_FIELD(thermoelastic, Thermoelastic, 1, "thermoelastic", "J",
            "energy bound by expansion: what elastic strain takes from the heat, less what is stored unstrained");
@@ -74,6 +74,9 @@ struct Heat : Effect {
     double specific_heat_J_per_kgK = 0;
     double conductivity_W_per_mK = 0;
     double expansion_per_K = 0;
+    double transition_heat_J_per_kg = 0;
+    double transition_from_C = 0;
+    double transition_to_C = 1;
     static constexpr auto parameters() {
       return std::tuple{
           Parameter{"specific_heat_J_per_kgK", &Material::specific_heat_J_per_kgK, "J/(kg K)", positive,
@@ -81,6 +84,12 @@ struct Heat : Effect {
           Parameter{"conductivity_W_per_mK", &Material::conductivity_W_per_mK, "W/(m K)", non_negative,
                     "kappa: heat conductivity of the mixture", Presence::required},
           Parameter{"expansion_per_K", &Material::expansion_per_K, "1/K", non_negative, "alpha_l: linear thermal expansion of the solid"},
+          Parameter{"transition_heat_J_per_kg", &Material::transition_heat_J_per_kg, "J/kg", non_negative,
+                    "L: latent heat of melting or setting, per mass of the solid; 0: none, as published"},
+          Parameter{"transition_from_C", &Material::transition_from_C, "C", above_absolute_zero,
+                    "temperature at which warming dough begins to take up that latent heat"},
+          Parameter{"transition_to_C", &Material::transition_to_C, "C", above_absolute_zero,
+                    "temperature at which it has taken up all, evenly between; higher than transition_from_C"},
       };
     }
   };
@@ -97,13 +106,16 @@ struct Heat : Effect {
 
   template <class Real>
   struct Constants {
-    Real solid, water, kappa, beta_T, expansion, theta_0, subgrid;
+    Real solid, water, kappa, beta_T, expansion, theta_0, subgrid, latent, from, width;
     bool implicit, published_expansion;
     template <class Scene, class SceneMaterial>
     Constants(const Scene& scene, const SceneMaterial& material) : theta_0(static_cast<Real>(material.initial_temperature_C)) {
       const auto& m = material.effects.template get<Material>();
       solid = static_cast<Real>(m.specific_heat_J_per_kgK);
       kappa = static_cast<Real>(m.conductivity_W_per_mK);
+      latent = static_cast<Real>(m.transition_heat_J_per_kg);
+      from = static_cast<Real>(m.transition_from_C);
+      width = static_cast<Real>(m.transition_to_C - m.transition_from_C);
       const auto& settings = scene.settings.template get<Settings>();
       water = static_cast<Real>(settings.water_specific_heat_J_per_kgK);
       subgrid = static_cast<Real>(settings.subgrid_diffusion);
@@ -169,15 +181,33 @@ struct Heat : Effect {
     return x / (1 + x);
   }
 
+  /// L m_s times the share of the transition that lies below theta: what a particle holds beyond c theta.
+  BAKE_INLINE static auto latent_heat(auto& p, const auto& k) {
+    const auto none = 0 * p[field::theta];
+    return k.latent * p[field::m_s] * clamp((p[field::theta] - k.from) * (1 / k.width), none, 1 + none);
+  }
+
+  /// The temperature at which c theta and latent heat together are what c theta + `held` is now. Nodes know the sensible heat c only: what
+  /// they give is spent on the transition first, so that no heat is lost however far a step goes, even past the whole transition.
+  /// DEPARTS [Ding19 Eq. 9]: latent heat is not in the paper; off unless the material has one. [Stomakhin14 Sec. 5.2] has a buffer instead.
+  BAKE_INLINE static void spend_on_transition(auto& p, const auto& held, const auto& k) {
+    const auto none = 0 * held, inverse_c = 1 / capacity(p, k), span = k.latent * p[field::m_s] * inverse_c;
+    const auto all = p[field::theta] + held * inverse_c;
+    p[field::theta] = all - span * clamp((all - k.from) / (k.width + span), none, 1 + none);
+  }
+
   /// theta_p += sum w (theta_i^{n+1} - theta_i^n)   [Ding19 Eq. 21]
   /// DEPARTS [Ding19 Eq. 21]: of what differs from particle to particle within a cell the nodes know nothing, and it would stay for ever.
   /// It decays as heat conduction over dx would have it, and what that changes at the nodes is taken back there in the next step, so that
   /// their solution is untouched: subgrid diffusion (Gerya and Yuen 2003, doi:10.1016/j.pepi.2003.09.006).
   BAKE_INLINE static void gather(auto& p, const auto& from, const auto& k, const auto& step, auto&) {
+    auto held = 0 * p[field::theta];
+    if (k.latent > 0) held = latent_heat(p, k);
     p[field::theta] += from.value(channel::temperature_change);
     p[field::theta_lent] =
         evened_out(k.kappa * p.volume() / capacity(p, k), k.subgrid, step) * (from.value(channel::temperature) - p[field::theta]);
     p[field::theta] += p[field::theta_lent];
+    if (k.latent > 0) spend_on_transition(p, held, k);
     find_thermal_strain(p, k);
     p[field::theta_peak] = max(p[field::theta_peak], p[field::theta]);
     for (int d = 0; d < 3; ++d) p[field::grad_theta][d] = from.gradient(channel::temperature, 0, d);
@@ -229,8 +259,10 @@ struct Heat : Effect {
     }
   }
 
+  /// While dough melts, the temperature gradient is that of nodes which have risen by the sensible step and particles which have not: what
+  /// is between them is -dt times the eigenvalue as large as a step before, which must be below 1, and not 2 as without latent heat.
   BAKE_INLINE static void bounds(auto& p, const auto& k, const auto&, auto& report) {
-    report.bound(bound::heat_diffusivity, k.kappa * p.volume() / capacity(p, k));
+    report.bound(bound::heat_diffusivity, (k.latent > 0 ? 2 : 1) * k.kappa * p.volume() / capacity(p, k));
   }
 
   /// Forward Euler: dt < 2 / eigenvalue. With particles everywhere the largest eigenvalue of the moment form is 1.94 D / dx^2 (quadratic)
@@ -282,7 +314,7 @@ struct Heat : Effect {
 
   static void totals(auto& p, const auto& k, const auto&, auto& report) {
     using P = std::decay_t<decltype(p)>;
-    report.add(total::heat_content, capacity(p, k) * p[field::theta] - lent_heat(p, k));
+    report.add(total::heat_content, capacity(p, k) * p[field::theta] - lent_heat(p, k) + latent_heat(p, k));
     if constexpr (P::template has<field::HenckyStrain>) {
       const auto& e = p[field::epsilon];
       const auto elastic_tr = e[0] + e[1] + e[2], free = p[field::thermal_strain];
@@ -307,6 +339,10 @@ struct Heat : Effect {
                  [](const auto& now) { return now.particles() > 0 ? now.total(total::temperature) / now.total(total::volume) : 0; });
     columns.made("temperature_max", "C", "temperature of the hottest particle; 0 without heat",
                  [](const auto& now) { return now.highest(highest::temperature); });
+  }
+
+  static void check_material(const auto&, const auto&, const Material& own, const auto& complaint) {
+    if (own.transition_heat_J_per_kg > 0) complaint.unless_rising("transition_to_C", {own.transition_from_C, own.transition_to_C});
   }
 
   static bool swells(const Material& own) { return own.expansion_per_K > 0; }

@@ -13,7 +13,7 @@
 namespace bake {
 
 namespace total {
-BAKE_FIELD(gas, Gas, 1, "gas", "mol", "CO2 that was made");
+BAKE_FIELD(gas, Gas, 1, "gas", "mol", "CO2 that was made, in true moles; the air that the pores hold from the start is not counted");
 }  // namespace total
 
 struct Leavening : Effect {
@@ -36,9 +36,10 @@ struct Leavening : Effect {
                     "pore gas against the atmosphere (standard) or [Ding19 Eq. 13] as printed (published)"},
           Parameter{"pores", &Settings::pores, "", any_number,
                     "pores pulled wider than their gas fills: \"closed\", a vacuum pulls back; \"open\", air enters (form = \"standard\")"},
-          Parameter{"reference_pressure_Pa", &Settings::reference_pressure_Pa, "Pa", positive,
-                    "p_ref: pressure of the atmosphere; a lower one, with the moles scaled alike, keeps the equilibrium volume "
-                    "and softens the pores (larger steps)"},
+          Parameter{
+              "reference_pressure_Pa", &Settings::reference_pressure_Pa, "Pa", positive,
+              "p_ref: pressure of the atmosphere; the pores' gas counts p_ref / 101325 of its moles by itself, so that a lower one keeps "
+              "the volume of equilibrium and softens the pores (larger steps)"},
       };
     }
   };

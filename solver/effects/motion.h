@@ -75,7 +75,8 @@ struct Motion : Effect {
       flip = settings.transfer == Transfer::flip ? static_cast<Real>(settings.flip_blend) : Real(0);
       inertia = static_cast<Real>(settings.inertia_scale);
       const double overlap = scene.grid.kernel == KernelOrder::quadratic ? 11. / 20 : 151. / 315;  // integral of N^2
-      room = pores_hold_vacuum(scene) ? static_cast<Real>(k_infinity) : static_cast<Real>(std::pow(scene.dx() / overlap, 3));
+      const double width = scene.dx() / overlap;
+      room = pores_hold_vacuum(scene) ? static_cast<Real>(k_infinity) : static_cast<Real>(width * width * width);
     }
   };
 

@@ -48,9 +48,14 @@ struct Plasticity : Effect {
           Parameter{"temperatures_C", &Material::temperatures_C, "C", above_absolute_zero,
                     "theta_1..theta_4 of fig. 8: fridge, room, fat melting, gelatinisation; strictly rising"},
           Parameter{"yield_stress_Pa", &Material::yield_stress_Pa, "Pa", non_negative,
-                    "tau_y at theta_1..theta_4, linear between, frozen past theta_4; one number means constant", Presence::required},
-          Parameter{"viscosity_Pa_s", &Material::viscosity_Pa_s, "Pa s", non_negative,
-                    "eta at theta_1..theta_4 (Pa^3 s with norm = \"quadratic\"); one number means constant"},
+                    "tau_y at theta_1..theta_4, in pulling or pressing along one axis (in shear it yields at tau_y / sqrt 3); linear "
+                    "between, frozen "
+                    "past theta_4; one number means constant",
+                    Presence::required},
+          Parameter{
+              "viscosity_Pa_s", &Material::viscosity_Pa_s, "Pa s", non_negative,
+              "eta at theta_1..theta_4, of pulling along one axis (that of shear is eta / 3); Pa^3 s with norm = \"quadratic\"; one number "
+              "means constant"},
       };
     }
   };
@@ -64,12 +69,13 @@ struct Plasticity : Effect {
     Real bulk, mu, n_0;
     Real theta[4], tau_y[4], eta[4];
     Real tau_y_slope[3], eta_slope[3];  ///< of the three pieces of fig. 8
-    bool quadratic, published_porosity;
+    bool quadratic, published_porosity, never_porous;
     template <class Scene, class SceneMaterial>
     Constants(const Scene& scene, const SceneMaterial& material) : n_0(static_cast<Real>(material.initial_porosity)) {
       const Elasticity::Constants<Real> elastic(scene, material);
       bulk = elastic.bulk;
       mu = elastic.mu;
+      never_porous = material.initial_porosity <= k_no_pores;
       const auto& m = material.effects.template get<Material>();
       for (int i = 0; i < 4; ++i) {
         theta[i] = static_cast<Real>(m.temperatures_C[i]);
@@ -103,7 +109,8 @@ struct Plasticity : Effect {
     }
   }
 
-  static constexpr double k_no_pores = 1e-6;  ///< least porosity; at it compression is elastic
+  static constexpr double k_no_pores =
+      1e-6;  ///< least porosity; at it compression is elastic, and tension, too, if it is that of the start
 
   /// a(n) = 9 / (4 ln^2(1/n) (7/2 n + 1)).   [Ding19 Eq. 12]
   template <class V>
@@ -239,7 +246,8 @@ struct Plasticity : Effect {
     V tau_y, eta;
     curves<V>(p.temperature(), p.peak_temperature(), k, tau_y, eta);
     const V n = porosity<V>(p[field::J_P], k);
-    const V a = ((n <= Real(k_no_pores)) & (p_tr > 0)) ? 0 * n : cap<V>(n);  // without pores there is nothing to compact
+    // without pores there is nothing to compact, and where there were none at the start, nothing to open: von Mises' law, both ways
+    const V a = k.never_porous ? 0 * n : ((n <= Real(k_no_pores)) & (p_tr > 0)) ? 0 * n : cap<V>(n);
     const V ap2 = a * p_tr * p_tr;
     const auto flowing = ap2 + q2 > tau_y * tau_y;
     p[field::plastic_dilation] = 0 * tr;

@@ -64,9 +64,9 @@ struct Water : Effect {
           Parameter{"water_density_kg_per_m3", &Material::water_density_kg_per_m3, "kg/m^3", positive,
                     "rho_0^w: intrinsic density of water, s = m_w / (rho_0^w V)"},
           Parameter{"diffusivity_m2_per_sK", &Material::diffusivity_m2_per_sK, "m^2/(s K)", non_negative,
-                    "K: Fick's constant, q = -K theta rho_w grad s"},
+                    "K: Fick's constant, q = -K theta rho_w grad s, theta in degrees Celsius and 0 below 0 C"},
           Parameter{"evaporation_kg_per_m2sK", &Material::evaporation_kg_per_m2sK, "kg/(m^2 s K)", non_negative,
-                    "beta_w: water leaving a surface, q.n = beta_w theta (s - s_out)"},
+                    "beta_w: water leaving a surface, q.n = beta_w theta (s - s_out), theta in degrees Celsius and 0 below 0 C"},
           Parameter{"pressure_Pa", &Material::pressure_Pa, "Pa", non_negative,
                     "c_hat: water pressure per saturation, p_w = c_hat (s - s_0)"},
       };
@@ -268,6 +268,9 @@ struct Water : Effect {
   /// Something must be left for the solid.
   static void check_material(const auto& scene, const auto& material, const Material& own, const auto& complaint) {
     const double water = material.initial_saturation * own.water_density_kg_per_m3;
+    if (scene.lists(name) && material.initial_porosity + material.initial_saturation > 1)
+      complaint.at("initial_saturation", "found {} of the volume water and {} gas (initial_porosity), allowed: together at most 1",
+                   material.initial_saturation, material.initial_porosity);
     if (!scene.lists(name) || water < material.density_kg_per_m3) return;
     complaint.at("initial_saturation", "found {} kg/m^3 of water in a mixture of {} kg/m^3, allowed: less water than mixture", water,
                  material.density_kg_per_m3);

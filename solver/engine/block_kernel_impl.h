@@ -120,14 +120,27 @@ class BlockKernelOf final : public BlockKernel<Real> {
     const LaneMask<Real> outside = s.outside();
     for (int p = 0; p < work.store->tiles[static_cast<std::size_t>(tile)].count; ++p) {
       if (outside[p]) continue;  // no step leaves a particle like this
+      // as grid_row, each axis for itself
+      int block_part[3][N], node_part[3][N];
+      for (int d = 0; d < 3; ++d)
+        for (int j = 0; j < N; ++j) {
+          const int at = static_cast<int>(s.base[d][p]) + j + 4;
+          block_part[d][j] = (at >> 2) * (d == 0 ? 9 : d == 1 ? 3 : 1);
+          node_part[d][j] = (at & 3) * (d == 0 ? 16 : d == 1 ? 4 : 1);
+        }
+      using R = Row<Real, 4>;
+      alignas(64) const Real numbers[4] = {impulse[0][p], impulse[1][p], impulse[2][p], 0};
+      const R change = R::load(numbers);
       for (int j = 0; j < N; ++j)
         for (int k = 0; k < N; ++k) {
           const Real w_jk = s.weight[0][j][p] * s.weight[1][k][p];
           for (int l = 0; l < N; ++l) {
-            const int at[3] = {static_cast<int>(s.base[0][p]) + j, static_cast<int>(s.base[1][p]) + k, static_cast<int>(s.base[2][p]) + l};
-            const Real w = w_jk * s.weight[2][l][p];
-            Real* node = work.scattered + grid_row(block, at[0], at[1], at[2]) * RS;
-            for (int d = 0; d < 3; ++d) node[d] += w * impulse[d][p];
+            const auto slot = static_cast<std::size_t>(block.neighbour[block_part[0][j] + block_part[1][k] + block_part[2][l]]);
+            const auto node = static_cast<std::size_t>(node_part[0][j] + node_part[1][k] + node_part[2][l]);
+            Real* row = work.scattered + (slot * k_block_nodes + node) * RS;
+            R sum = R::load(row);
+            sum.add(change, w_jk * s.weight[2][l][p]);
+            sum.store(row);
           }
         }
     }

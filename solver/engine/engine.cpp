@@ -71,13 +71,16 @@ double Engine<Real>::next_step(double from, double target, double next_target) {
   const StepLimit limit = largest_step(scene_, *physics_, bounds_, contacts_.largest_speed());
   const bool reached = from >= target;
   const double left = (reached ? next_target : target) - from;
-  if (limit.dt < scene_.time.smallest_step_s)
-    throw RunError(fmt::format("stability asks for a step of {:.3g} s ({}), below time.smallest_step_s, in step {} at t = {:.6g} s",
-                               limit.dt, limit.reason, counters_.steps, time_));
-  if (!(left > 0)) return 0;
   if (!(from + limit.dt > from))
     throw RunError(fmt::format("stability asks for a step of {:.3g} s ({}), by which time does not advance, in step {} at t = {:.6g} s",
                                limit.dt, limit.reason, counters_.steps, time_));
+  // more than 1e8 steps to the next frame: no run is meant to take years
+  const double smallest = scene_.time.smallest_step_s > 0 ? scene_.time.smallest_step_s : 1e-8 / scene_.run.frame_rate_per_s;
+  if (limit.dt < smallest)
+    throw RunError(
+        fmt::format("stability asks for a step of {:.3g} s ({}), below time.smallest_step_s = {:.3g} s, in step {} at t = {:.6g} s",
+                    limit.dt, limit.reason, smallest, counters_.steps, time_));
+  if (!(left > 0)) return 0;
   if (!(limit.dt < left)) return left;
   return left / std::ceil(left / limit.dt);  // equal steps up to the target
 }

@@ -36,7 +36,8 @@ class Engine {
   void add(const std::vector<NewParticle>& particles, bool poured = false);
   /// Puts skins onto the bodies: a mesh at rest for each of the scene's, and their vertices as particles in the same order. Once, after the
   /// bodies were added.
-  void cover(std::vector<SurfaceMesh> skins, const std::vector<NewParticle>& vertices);
+  /// `covers`: of each vertex, the area of the body's surface above it over its own.
+  void cover(std::vector<SurfaceMesh> skins, const std::vector<NewParticle>& vertices, const std::vector<double>& covers);
   /// A first pass without time, which finds fluxes, limits and totals, and scatters for the first step. Once, after the first
   /// add; not after read().
   void start(double first_target);

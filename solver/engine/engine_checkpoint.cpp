@@ -1,10 +1,56 @@
 // SPDX-License-Identifier: MIT
 // What a checkpoint holds: particles, the scattered grid, and the sums so far.
+#include <algorithm>
 #include <cmath>
 
 #include "solver/engine/engine.h"
+#include "solver/grid/sort_particles.h"
 
 namespace bake {
+namespace {
+
+void expect(bool fits) {
+  if (!fits)
+    throw InputError("the checkpoint's arrays do not fit together, allowed: a checkpoint written by the same version for this scene");
+}
+
+/// Infinite are only bounds and the like; nothing is NaN.
+void expect_numbers(const std::vector<double>& numbers, bool infinite_allowed) {
+  expect(std::all_of(numbers.begin(), numbers.end(), [&](double x) { return infinite_allowed ? !std::isnan(x) : std::isfinite(x); }));
+}
+
+/// Blocks lie within the domain in their order, each with the tiles behind those of the block before it, all with particles of a material.
+template <class Real>
+void check_blocks(const ParticleStore<Real>& store, const GridGeometry& geometry, std::size_t materials) {
+  std::int64_t next_tile = 0;
+  for (std::size_t i = 0; i < store.blocks.size(); ++i) {
+    const HomeBlock& block = store.blocks[i];
+    const int at[3] = {block.at.x, block.at.y, block.at.z};
+    for (int d = 0; d < 3; ++d) expect(at[d] > 0 && at[d] < geometry.blocks(d) - 1);
+    for (int d = 0; d < 3; ++d) expect(block.low[d] >= 0 && block.high[d] >= 0 && block.high[d] < k_tile_side);
+    expect(i == 0 || geometry.linear(store.blocks[i - 1].at) < geometry.linear(block.at));
+    expect(block.first_tile == next_tile && block.tiles >= 0 && block.at_face == may_reach_face(block.at, geometry));
+    next_tile += block.tiles;
+  }
+  expect(next_tile == static_cast<std::int64_t>(store.tiles.size()));
+  for (const Tile& tile : store.tiles)
+    expect(tile.count >= 0 && tile.count <= k_width<Real> && tile.material >= 0 && tile.material < static_cast<std::int64_t>(materials));
+}
+
+/// Each particle has an identity of its own among those that were given.
+template <class Real>
+void check_identities(const ParticleStore<Real>& store, std::int64_t given, std::int64_t retired) {
+  expect(retired >= 0 && given >= 0 && given - retired == static_cast<std::int64_t>(store.particles()));
+  expect(given < std::int64_t{1} << 32);
+  std::vector<std::int64_t> identities;
+  for (std::size_t t = 0; t < store.tiles.size(); ++t)
+    for (int l = 0; l < store.tiles[t].count; ++l) identities.push_back(identity_of<Real>(store.tile(t), l));
+  std::sort(identities.begin(), identities.end());
+  expect(std::adjacent_find(identities.begin(), identities.end()) == identities.end());
+  expect(identities.empty() || (identities.front() >= 0 && identities.back() < given));
+}
+
+}  // namespace
 
 template <class Real>
 void Engine<Real>::write(CheckpointWriter& out) const {
@@ -40,13 +86,14 @@ void Engine<Real>::read(const CheckpointReader& in) {
              retired = in.array<double>("retired"), emitted = in.array<double>("emitted"), bounds = in.array<double>("bounds"),
              highest = in.array<double>("highest");
   const auto counts = in.array<std::int64_t>("counts");
-  const auto expect = [](bool fits) {
-    if (!fits)
-      throw InputError("the checkpoint's arrays do not fit this program's layout, allowed: a checkpoint written by the same version");
-  };
   expect(blocks.size() % 12 == 0 && tiles.size() % 2 == 0 && numbers.size() == 2 && booked.size() == booked_.size() &&
          totals.size() == totals_.size() && retired.size() == totals.size() && emitted.size() == totals.size() &&
          bounds.size() == bounds_.size() && highest.size() == highest_.size() && counts.size() == 7);
+  for (const auto* sums : {&numbers, &booked, &totals, &retired, &emitted}) expect_numbers(*sums, false);
+  for (const auto* largest : {&bounds, &highest}) expect_numbers(*largest, true);
+  expect(numbers[0] >= 0 && numbers[1] >= 0);
+  for (const std::int64_t count : counts) expect(count >= 0);
+  expect(counts[6] <= counts[0]);  // sorted last in a step that was done
   store_.blocks.resize(blocks.size() / 12);
   for (std::size_t i = 0; i < store_.blocks.size(); ++i) {
     const std::int32_t* b = &blocks[12 * i];
@@ -56,12 +103,13 @@ void Engine<Real>::read(const CheckpointReader& in) {
     block.first_tile = b[3];
     block.tiles = b[4];
     block.at_face = b[5] != 0;
+    for (int k = 6; k < 12; ++k) expect(b[k] >= 0 && b[k] <= k_tile_side);
     for (int d = 0; d < 3; ++d)
       block.low[d] = static_cast<std::int8_t>(b[6 + 2 * d]), block.high[d] = static_cast<std::int8_t>(b[7 + 2 * d]);
-    for (int d = 0; d < 3; ++d) expect(b[d] > 0 && b[d] < geometry_.blocks(d) - 1);
   }
   store_.tiles.resize(tiles.size() / 2);
   for (std::size_t i = 0; i < store_.tiles.size(); ++i) store_.tiles[i] = {tiles[2 * i], tiles[2 * i + 1]};
+  check_blocks(store_, geometry_, scene_.materials.size() + scene_.skins.size());  // skins are materials behind the others
   expect(particles.size() == store_.tiles.size() * store_.tile_size());
   store_.data.resize_and_forget(particles.size());
   std::copy(particles.begin(), particles.end(), store_.data.data());
@@ -79,10 +127,12 @@ void Engine<Real>::read(const CheckpointReader& in) {
           if (c != k_identity_column && !std::isfinite(store_.tile(t)[c][l]))
             throw InputError("the checkpoint's particle " + std::to_string(identity_of<Real>(store_.tile(t), l)) + ": found " +
                              column.name + " that is not finite, allowed: numbers");
+  check_identities(store_, counts[5], counts[4]);
   if (!scene_.skins.empty()) take_skins(Sheets<Real>::read(scene_, in));
   after_sorting();
   if (skins_) skins_->find_forces(store_, geometry_, false);
   expect(grid.size() == active_.at.size() * k_block_nodes * static_cast<std::size_t>(scattered_row()));
+  expect(std::all_of(grid.begin(), grid.end(), [](Real x) { return std::isfinite(x); }));
   scattered_.resize_and_forget(grid.size());
   std::copy(grid.begin(), grid.end(), scattered_.data());
   std::copy(booked.begin(), booked.end(), booked_.begin());

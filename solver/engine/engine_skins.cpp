@@ -8,9 +8,16 @@
 namespace bake {
 
 template <class Real>
-void Engine<Real>::cover(std::vector<SurfaceMesh> skins, const std::vector<NewParticle>& vertices) {
+void Engine<Real>::cover(std::vector<SurfaceMesh> skins, const std::vector<NewParticle>& vertices, const std::vector<double>& covers) {
   take_skins(Sheets<Real>(scene_, std::move(skins), next_identity_));
   add(vertices);
+  const int column = physics_->column_of(Sheets<Real>::k_cover);
+  for (std::size_t b = 0; b < store_.blocks.size(); ++b)
+    for (std::int32_t t = skins_->tiles_of(b).first; t < skins_->tiles_of(b).end; ++t)
+      for (int l = 0; l < k_width<Real>; ++l) {
+        Lanes<Real>* numbers = store_.tile(static_cast<std::size_t>(t));
+        numbers[column][l] = static_cast<Real>(covers[static_cast<std::size_t>(identity_of<Real>(numbers, l) - skins_->first_identity())]);
+      }
   skins_->find_forces(store_, geometry_, true);
 }
 
@@ -67,10 +74,10 @@ void Engine<Real>::book_weight_of_skins() {
   }
 }
 
-#define BAKE_INSTANTIATE(Real)                                                                  \
-  template void Engine<Real>::cover(std::vector<SurfaceMesh>, const std::vector<NewParticle>&); \
-  template void Engine<Real>::take_skins(Sheets<Real>);                                         \
-  template void Engine<Real>::pull_skins(bool);                                                 \
+#define BAKE_INSTANTIATE(Real)                                                                                              \
+  template void Engine<Real>::cover(std::vector<SurfaceMesh>, const std::vector<NewParticle>&, const std::vector<double>&); \
+  template void Engine<Real>::take_skins(Sheets<Real>);                                                                     \
+  template void Engine<Real>::pull_skins(bool);                                                                             \
   template void Engine<Real>::book_weight_of_skins();
 BAKE_INSTANTIATE(float)
 BAKE_INSTANTIATE(double)

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 
+#include "solver/core/elementary.h"
 #include "solver/core/errors.h"
 #include "solver/core/parallel.h"
 #include "solver/core/vector3.h"
@@ -35,7 +37,9 @@ AtRest at_rest(const Point& p, const Point& q, const Point& r) {
 /// The angle between the normals of two triangles that share the edge p q, with the tips r left and s right of it.
 double angle_between(const Point& p, const Point& q, const Point& r, const Point& s) {
   const Vector3 e = q - p, n = cross(e, r - p), m = cross(s - p, e);
-  return std::atan2(dot(cross(n, m), e) / length(e), dot(n, m));
+  const double sine = dot(cross(n, m), e) / length(e), cosine = dot(n, m);
+  const double acute = sine == 0 && cosine == 0 ? 0 : elementary::angle(std::abs(sine), std::abs(cosine));
+  return std::copysign(cosine < 0 ? std::numbers::pi - acute : acute, sine);
 }
 
 }  // namespace

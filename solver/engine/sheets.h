@@ -36,6 +36,10 @@ struct SkinVertexState {
 template <class Real>
 class Sheets {
  public:
+  /// The column in which vertices keep the area of surface that they cover over their own: that of the ratio of volumes, which they have
+  /// not.
+  static constexpr const char* k_cover = "volume_ratio";
+
   /// `meshes`: of the scene's skins, in which they are at rest; `first_identity`: of the first vertex, all others follow it.
   Sheets(const Scene& scene, std::vector<SurfaceMesh> meshes, std::int64_t first_identity);
 

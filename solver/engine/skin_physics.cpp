@@ -8,6 +8,7 @@
 #include "solver/effects/composed_effects.h"
 #include "solver/effects/skin_of_scene.h"
 #include "solver/engine/model.h"
+#include "solver/engine/sheets.h"
 #include "solver/grid/particle_store.h"
 
 namespace bake {
@@ -39,7 +40,7 @@ class SkinPhysics final : public Physics<Real> {
       area_channel_ = this->scatter_channels;
       this->scatter_channels += 2;
     }
-    ratio_column_ = this->column_of(field::VolumeRatio::name);
+    cover_column_ = this->column_of(Sheets<Real>::k_cover);
     volume_column_ = this->column_of(field::InitialVolume::name);
     mass_column_ = this->column_of(field::SolidMass::name);
   }
@@ -52,8 +53,9 @@ class SkinPhysics final : public Physics<Real> {
       close_nothing(scattered);
       return;
     }
+    const V cover = columns[cover_column_];  // there is no volume that could change
     of(skin).advance(columns, 0, gathered, gather_stride, scattered, scatter_stride, velocity, step, report);
-    columns[ratio_column_] = lanes<Real>(1);  // there is no volume that could change
+    columns[cover_column_] = cover;
     put_in_place(columns, skin, scattered, scatter_stride);
   }
 
@@ -124,7 +126,7 @@ class SkinPhysics final : public Physics<Real> {
 
   /// What a sheet scatters, three of momentum and the mass, to where the flesh scatters these.
   void put_in_place(const V* columns, int skin, V* scattered, int stride) const {
-    const V mass = scattered[3], area = area_per_mass_[static_cast<std::size_t>(skin)] * columns[mass_column_];
+    const V mass = scattered[3], area = area_per_mass_[static_cast<std::size_t>(skin)] * columns[mass_column_] * columns[cover_column_];
     for (int c = 3; c < this->scatter_channels; ++c) scattered[c] = V{};
     for (int axis = 1; axis < 4; ++axis)
       for (int c = 3; c < this->moment_channels; ++c) scattered[axis * stride + c] = V{};
@@ -139,7 +141,7 @@ class SkinPhysics final : public Physics<Real> {
   int materials_;
   std::vector<Real> area_per_mass_, closed_;
   bool closes_ = false;  ///< does any skin hold water back?
-  int area_channel_ = -1, ratio_column_, volume_column_, mass_column_;
+  int area_channel_ = -1, cover_column_, volume_column_, mass_column_;
   double membrane_limit_ = std::numeric_limits<double>::infinity(), bending_limit_ = membrane_limit_;
 };
 

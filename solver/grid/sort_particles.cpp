@@ -61,14 +61,14 @@ void write_keys(const ParticleStore<Real>& from, std::uint32_t first_tile, const
   }
 }
 
-bool may_reach_face(const BlockIndex& b, const GridGeometry& geometry) {
-  const int first[3] = {4 * b.x, 4 * b.y, 4 * b.z};
+}  // namespace
+
+bool may_reach_face(const BlockIndex& block, const GridGeometry& geometry) {
+  const int first[3] = {4 * block.x, 4 * block.y, 4 * block.z};
   for (int d = 0; d < 3; ++d)
     if (first[d] - 4 < geometry.low_face() || first[d] + 8 > geometry.high_face(d)) return true;
   return false;
 }
-
-}  // namespace
 
 template <class Real>
 void sort_particles(const ParticleStore<Real>& from, const ParticleStore<Real>* more, const GridGeometry& geometry,

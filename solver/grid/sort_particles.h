@@ -17,6 +17,9 @@ template <class Real>
 void sort_particles(const ParticleStore<Real>& from, const ParticleStore<Real>* more, const GridGeometry& geometry,
                     const std::function<bool(std::int32_t tile, std::int32_t lane)>& leave_out, ParticleStore<Real>& to);
 
+/// Whether particles at home in this block may reach a face of the domain before they are sorted again.
+bool may_reach_face(const BlockIndex& block, const GridGeometry& geometry);
+
 /// The home block of a position that may have left `block`, and the position in it.
 template <class Real>
 struct Home {

@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
+#include <thread>
 
 namespace bake {
 namespace {
@@ -32,7 +34,7 @@ class FileActions {
 
 }  // namespace
 
-ChildEnd run_child(std::vector<std::string> words, const std::filesystem::path& log) {
+ChildEnd run_child(std::vector<std::string> words, const std::filesystem::path& log, const std::function<void()>& meanwhile) {
   std::vector<char*> pointers;
   pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
@@ -40,8 +42,15 @@ ChildEnd run_child(std::vector<std::string> words, const std::filesystem::path& 
   const FileActions actions(log);
   pid_t child = 0;
   if (const int error = posix_spawnp(&child, pointers[0], actions.get(), nullptr, pointers.data(), environ); error != 0) return {error, 0};
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  constexpr int k_between_ms = 10;
+  int status = 0, waited_ms = 0;
+  for (;;) {
+    const pid_t ended = waitpid(child, &status, meanwhile ? WNOHANG : 0);
+    if (ended == child || (ended < 0 && errno != EINTR)) break;
+    if (ended != 0) continue;
+    std::this_thread::sleep_for(std::chrono::milliseconds(k_between_ms));
+    waited_ms += k_between_ms;
+    if (waited_ms % 250 == 0) meanwhile();
   }
   return {0, WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status)};
 }

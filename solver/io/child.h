@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ struct ChildEnd {
 };
 
 /// Runs a program and waits. `words`: its name (looked for in PATH unless it has a slash) and its arguments. Its standard
-/// input is empty; its output goes to the file `log`, or to our own output if `log` is empty.
-ChildEnd run_child(std::vector<std::string> words, const std::filesystem::path& log = {});
+/// input is empty; its output goes to the file `log`, or to our own output if `log` is empty. `meanwhile` is called some four times a
+/// second until it ends.
+ChildEnd run_child(std::vector<std::string> words, const std::filesystem::path& log = {}, const std::function<void()>& meanwhile = {});
 
 }  // namespace bake

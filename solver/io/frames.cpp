@@ -14,15 +14,19 @@
 namespace bake {
 namespace {
 
-constexpr std::uint8_t k_poly_vertex = 2;  ///< VTK_POLY_VERTEX
+constexpr std::uint8_t k_vertex = 1;  ///< VTK_VERTEX
 
 std::size_t length(const FrameColumn& column) {
   return std::visit([](const auto& values) { return values.size(); }, column.values);
 }
 
+std::size_t count_of(const FrameData& frame) {
+  return std::visit([](const auto& numbers) { return numbers.size(); }, frame.positions);
+}
+
 void check_lengths(const FrameData& frame) {
-  if (frame.positions.size() % 3 != 0) throw std::invalid_argument("a frame's positions are not x, y, z triples");
-  const auto particles = frame.positions.size() / 3;
+  if (count_of(frame) % 3 != 0) throw std::invalid_argument("a frame's positions are not x, y, z triples");
+  const auto particles = count_of(frame) / 3;
   for (const auto& column : frame.columns) {
     if (column.components == 0 || length(column) != column.components * particles) {
       throw std::invalid_argument(fmt::format("frame column {} has {} numbers for {} particles of {} components", column.name,
@@ -31,18 +35,18 @@ void check_lengths(const FrameData& frame) {
   }
 }
 
-/// Writes the cells as VTK requires them: a single one, made of all particles.
-void write_cell(Hdf5Writer& out, const PackedFrame& frame) {
+/// Writes the cells as VTK requires them: a vertex for each particle, so that ParaView's Threshold, which asks cells, finds particles.
+void write_cells(Hdf5Writer& out, const PackedFrame& frame) {
   const auto count = static_cast<std::int64_t>(frame.particles);
   const auto write = [&](const char* name, std::span<const std::int64_t> values) {
     out.array<std::int64_t>(std::string("VTKHDF/") + name, values, Packing::shuffle_gzip);
   };
   write("NumberOfPoints", std::array{count});
-  write("NumberOfCells", std::array{std::int64_t{1}});
+  write("NumberOfCells", std::array{count});
   write("NumberOfConnectivityIds", std::array{count});
   out.packed("VTKHDF/Connectivity", frame.connectivity);
-  write("Offsets", std::array{std::int64_t{0}, count});
-  out.array<std::uint8_t>("VTKHDF/Types", std::array{k_poly_vertex});
+  out.packed("VTKHDF/Offsets", frame.offsets);
+  out.packed("VTKHDF/Types", frame.types);
 }
 
 ArrayView view(const FrameColumn& column) {
@@ -52,18 +56,25 @@ ArrayView view(const FrameColumn& column) {
   return std::visit(of, column.values);
 }
 
+ArrayView view_of_positions(const FrameData& frame) {
+  return std::visit([]<class T>(const std::vector<T>& numbers) { return table_view<T>(numbers, 3); }, frame.positions);
+}
+
 }  // namespace
 
 PackedFrame pack_frame(double time_s, const FrameData& frame) {
   check_lengths(frame);
-  std::vector<std::int64_t> connectivity(frame.positions.size() / 3);
-  std::iota(connectivity.begin(), connectivity.end(), std::int64_t{0});
-  std::vector<ArrayView> arrays{table_view<float>(frame.positions, 3), array_view<std::int64_t>(connectivity)};
+  const std::size_t particles = count_of(frame) / 3;
+  std::vector<std::int64_t> counting(particles + 1);
+  std::iota(counting.begin(), counting.end(), std::int64_t{0});
+  const std::vector<std::uint8_t> types(particles, k_vertex);
+  std::vector<ArrayView> arrays{view_of_positions(frame), array_view<std::int64_t>(std::span(counting).first(particles)),
+                                array_view<std::int64_t>(counting), array_view<std::uint8_t>(types)};
   for (const FrameColumn& column : frame.columns) arrays.push_back(view(column));
   std::vector<PackedArray> packed = pack(arrays);
-  PackedFrame all{time_s, connectivity.size(), std::move(packed[0]), std::move(packed[1]), {}};
+  PackedFrame all{time_s, particles, std::move(packed[0]), std::move(packed[1]), std::move(packed[2]), std::move(packed[3]), {}};
   for (std::size_t i = 0; i < frame.columns.size(); ++i)
-    all.columns.push_back({frame.columns[i].name, frame.columns[i].unit, std::move(packed[2 + i])});
+    all.columns.push_back({frame.columns[i].name, frame.columns[i].unit, std::move(packed[4 + i])});
   return all;
 }
 
@@ -74,7 +85,7 @@ void write_frame(const std::filesystem::path& path, const PackedFrame& frame) {
   Hdf5Writer out(file);
   write_vtk_head(out, frame.time_s);
   write_vtk_points(out, frame.positions);
-  write_cell(out, frame);
+  write_cells(out, frame);
   for (const PackedFrame::Column& column : frame.columns) write_vtk_field(out, column.name, column.unit, column.values);
   out.close();
   file.commit();
@@ -91,7 +102,7 @@ FrameReader::FrameReader(const std::filesystem::path& path) : file_(path) {
 
 bool FrameReader::has(const std::string& column) const { return file_.has("VTKHDF/PointData/" + column); }
 
-std::vector<float> FrameReader::positions() const { return file_.table<float>("VTKHDF/Points", 3); }
+std::vector<double> FrameReader::positions() const { return file_.table<double>("VTKHDF/Points", 3); }
 
 std::vector<float> FrameReader::column(const std::string& name, std::size_t components) const {
   if (!has(name)) throw InputError(fmt::format("{}: found no column {}: the effect that makes it is off", file_.path().string(), name));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Frames of a run: particles as VTKHDF 1.0 files, which ParaView 5.11 and VTK 9.1 open as they are, and that any HDF5 reader can read.
 //
-// Inside: group VTKHDF with Points [n, 3] in m, one poly-vertex cell over all particles, PointData/<name> with an attribute
-// `unit` each, and the simulated time as attribute `time_s` of VTKHDF. (VTKHDF's own time steps are unknown to VTK 9.1: times
-// are given to ParaView by the series file.)
+// Inside: group VTKHDF with Points [n, 3] in m (32 bits, or 64 where those would not tell particles apart: `stores_double_positions`), a
+// vertex cell for each particle, PointData/<name> with an attribute `unit` each, and the simulated time as attribute `time_s` of
+// VTKHDF. (VTKHDF's own time steps are unknown to VTK 9.1: times are given to ParaView by the series file.)
 #pragma once
 
 #include <cstdint>
@@ -25,9 +25,16 @@ struct FrameColumn {
 };
 
 struct FrameData {
-  std::vector<float> positions;  ///< x, y, z of each particle [m]; may be empty
+  std::variant<std::vector<float>, std::vector<double>> positions;  ///< x, y, z of each particle [m]; may be empty
   std::vector<FrameColumn> columns;
 };
+
+/// Whether a frame's positions need 64 bits: those of a run in double precision, and where the domain's farthest coordinate is so many node
+/// distances from the origin that 32 bits do not resolve a thousandth of one.
+constexpr bool stores_double_positions(bool double_run, double farthest_m, double dx_m) {
+  constexpr double k_most = 1 << 14;  // 2^24 steps of a float up to there, 2^10 of them in a node distance
+  return double_run || farthest_m > k_most * dx_m;
+}
 
 /// A frame ready to be written. Making it takes most of the time that a frame costs, and needs no file.
 struct PackedFrame {
@@ -37,7 +44,7 @@ struct PackedFrame {
   };
   double time_s;
   std::size_t particles;
-  PackedArray positions, connectivity;
+  PackedArray positions, connectivity, offsets, types;
   std::vector<Column> columns;
 };
 
@@ -60,7 +67,7 @@ class FrameReader {
   double time_s() const { return time_s_; }
   std::size_t particles() const { return particles_; }
   bool has(const std::string& column) const;
-  std::vector<float> positions() const;  ///< x, y, z of each particle [m]
+  std::vector<double> positions() const;  ///< x, y, z of each particle [m]
   /// A column, `components` numbers per particle. Throws InputError if there is none of that name and width.
   std::vector<float> column(const std::string& name, std::size_t components = 1) const;
   std::vector<std::int64_t> identities() const;

@@ -86,18 +86,6 @@ std::vector<std::byte> packed_chunk(const std::byte* values, std::size_t bytes, 
 /// Stops HDF5 from printing its error stack in this thread.
 void silence_hdf5() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
-/// The innermost message of HDF5's error stack, which names the cause.
-std::string hdf5_reason() {
-  std::string reason = "HDF5 gives no reason";
-  const auto take = [](unsigned, const H5E_error2_t* error, void* to) -> herr_t {
-    *static_cast<std::string*>(to) = error->desc;
-    return 1;  // the first one is enough
-  };
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, take, &reason);
-  std::replace(reason.begin(), reason.end(), '\n', ' ');
-  return reason;
-}
-
 template <class Error>
 Error hdf5_error(const std::filesystem::path& file, const std::string& name, const std::string& reason) {
   return Error(fmt::format("{}: {}: {}", file.string(), name, reason));
@@ -178,7 +166,7 @@ Hdf5Handle Hdf5Writer::checked(hid_t id, Hdf5Handle::Close close, const std::str
 
 void Hdf5Writer::check(herr_t status, const std::string& name) const {
   target_->check();  // the system's reason says more than HDF5's
-  if (status < 0) throw hdf5_error<OutputError>(target_->target(), name, "cannot write: " + hdf5_reason());
+  if (status < 0) throw hdf5_error<OutputError>(target_->target(), name, "cannot be written");
 }
 
 void Hdf5Writer::group(const std::string& name) {
@@ -260,7 +248,7 @@ Hdf5Reader::Hdf5Reader(std::filesystem::path path) : path_(std::move(path)) {
   check(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG), "/");
   check(H5Pset_file_locking(access, false, true), "/");  // our files never change in place, and some file systems have no locks
   file_ = Hdf5Handle(H5Fopen(path_.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
-  if (!file_.valid()) throw InputError(fmt::format("{}: not an HDF5 file, or cut short: {}", path_.string(), hdf5_reason()));
+  if (!file_.valid()) throw InputError(fmt::format("{}: not an HDF5 file, or cut short", path_.string()));
 }
 
 Hdf5Handle Hdf5Reader::checked(hid_t id, Hdf5Handle::Close close, const std::string& name) const {
@@ -269,7 +257,7 @@ Hdf5Handle Hdf5Reader::checked(hid_t id, Hdf5Handle::Close close, const std::str
 }
 
 void Hdf5Reader::check(herr_t status, const std::string& name) const {
-  if (status < 0) throw hdf5_error<InputError>(path_, name, "cannot read: " + hdf5_reason());
+  if (status < 0) throw hdf5_error<InputError>(path_, name, "cannot be read: damaged, or cut short");
 }
 
 bool Hdf5Reader::has(const std::string& name) const {

@@ -2,7 +2,7 @@
 // The part of HDF5 that Bake needs: arrays, tables and attributes, written completely or not at all.
 //
 // Names are paths inside the file ("VTKHDF/PointData/theta"); groups on the way are made as needed. HDF5 itself prints nothing:
-// errors are thrown as one line that names the file, the object and the reason.
+// errors are thrown as one line that names the file and the object, without HDF5's own texts, which hold pointers and flags.
 #pragma once
 
 #include <hdf5.h>

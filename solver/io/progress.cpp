@@ -138,10 +138,15 @@ void Meter::phase(const std::string& doing) {
 void Meter::operator()(double share) {
   constexpr double k_between_s = 0.2;
   const double now = output_.seconds();
-  if (output_.style != ProgressStyle::bar || now - last_s_ < k_between_s) return;
+  const bool is_bar = output_.style == ProgressStyle::bar;
+  if (output_.style == ProgressStyle::quiet || now - std::max(last_s_, is_bar ? -1e9 : start_s_) < (is_bar ? k_between_s : k_log_s)) return;
   last_s_ = now;
   const double left_s = share > 0 ? (now - start_s_) * (1 / share - 1) : -1;
-  draw(fmt::format("{}  {:3.0f} %  left {}", what_, 100 * share, clock_text(left_s)));
+  const std::string line = fmt::format("{}  {:3.0f} %  left {}", what_, 100 * share, clock_text(left_s));
+  if (is_bar)
+    draw(line);
+  else
+    output_.to << line << std::endl;
 }
 
 }  // namespace bake

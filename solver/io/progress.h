@@ -80,7 +80,8 @@ class Progress {
   double recent_particle_steps_ = 0;
 };
 
-/// Shows the progress of work without frames: a redrawn line on a terminal; in a log a line for each phase that begins after two seconds.
+/// Shows the progress of work without frames: a redrawn line on a terminal; in a log a line for each phase
+/// that begins after two seconds, and of a share every ten seconds.
 class Meter {
  public:
   explicit Meter(std::string what, ProgressOutput output = progress_on_stderr(false));

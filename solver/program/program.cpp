@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solver/program/program.h"
 
+#include <cxxabi.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -10,10 +11,13 @@
 #include <charconv>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <system_error>
+#include <typeinfo>
 #include <utility>
 
 #include "solver/core/errors.h"
@@ -71,6 +75,13 @@ std::string reason_of(const std::filesystem::filesystem_error& error) {
   return fmt::format("{}: {}", error.path1().string(), error.code().message());
 }
 
+/// Which kind of error a library or we ourselves threw; what it says is for programmers.
+std::string type_name(const std::exception& error) {
+  int status = 0;
+  const std::unique_ptr<char, decltype(&std::free)> name(abi::__cxa_demangle(typeid(error).name(), nullptr, nullptr, &status), std::free);
+  return name ? name.get() : "unknown";
+}
+
 int run_and_tell_errors(CLI::App& app, const Action& action, std::vector<std::string> arguments) {
   try {
     return run_command_line(app, action, std::move(arguments));
@@ -90,7 +101,7 @@ int run_and_tell_errors(CLI::App& app, const Action& action, std::vector<std::st
     if (std::ferror(stdout) != 0) return fail(app, k_failed_run, k_not_printed);
     return fail(app, k_failed_run, fmt::format("the system refuses: {}", error.code().message()));
   } catch (const std::exception& error) {
-    return fail(app, k_failed_run, fmt::format("a fault of the program itself, please report it: {}", error.what()));
+    return fail(app, k_failed_run, fmt::format("a fault of the program itself, please report it ({})", type_name(error)));
   }
 }
 

@@ -32,8 +32,7 @@ ShapeToFill to_fill(const Scene& scene, const Body& body, std::size_t number) {
 
 ShapeToFill to_fill(const Scene& scene, const Emitter& emitter, std::size_t number) {
   const std::string name = emitter.name.empty() ? std::to_string(number) : emitter.name;
-  return {
-      "emitter." + name, emitter.shape, Filling::lattice, spacing(scene, emitter.particles_per_cell), 0.5, seed_of(scene, 1000 + number)};
+  return {"emitter." + name, emitter.shape, Filling::poisson, spacing(scene, emitter.particles_per_cell), 0, seed_of(scene, 1000 + number)};
 }
 
 /// Complains of particles that a run cannot take.
@@ -112,6 +111,17 @@ void spin_about_centre(std::vector<NewParticle>& particles, std::size_t first, c
     particles[i].velocity = particles[i].velocity + cross(angular_velocity, particles[i].x - centre);
 }
 
+/// How far the shape reaches along `direction`, by rays from points inside it: exact where a ray meets the end face, as in a spout.
+double farthest(const Shape& shape, const std::vector<Point>& inside, const Vector3& direction) {
+  constexpr int k_most = 100;  // a ray beside the shape's side comes forward slowly, but others do not
+  double reach = -k_infinity;
+  for (Point x : inside) {
+    for (int i = 0; i < k_most && shape.distance(x) < 0; ++i) x = x - shape.distance(x) * direction;
+    reach = std::max(reach, dot(x, direction));
+  }
+  return reach;
+}
+
 }  // namespace
 
 std::vector<NewParticle> fill_bodies(const Scene& scene) {
@@ -157,32 +167,57 @@ void check_filling(const Scene& scene) {
 }
 
 EmitterState::EmitterState(const Scene& scene, const Emitter& emitter, std::size_t number)
-    : from_(emitter.from_s), until_(emitter.until_s), body_() {
+    : scene_(scene),
+      emitter_(emitter),
+      shape_(to_fill(scene, emitter, number)),
+      body_(),
+      speed_(length(emitter.velocity_m_per_s)),
+      direction_((1 / speed_) * emitter.velocity_m_per_s) {
   body_.material = emitter.material;
   body_.temperature_C = emitter.temperature_C;
   body_.saturation = emitter.saturation;
-  const ShapeToFill s = to_fill(scene, emitter, number);
-  const double h = s.spacing, speed = length(emitter.velocity_m_per_s);
-  const Vector3 direction = (1 / speed) * emitter.velocity_m_per_s;
-  double low = k_infinity, high = -k_infinity;
-  for (const Point& x : fill(scene, s)) {
-    portion_.push_back({x, h * h * h, material_number(scene, emitter.material), emitter.velocity_m_per_s, {0, 0, 0}, &body_});
-    low = std::min(low, dot(x, direction));
-    high = std::max(high, dot(x, direction));
-  }
-  // the column of dough is as long as its particles reach, and half a spacing more at either end
-  period_ = (high - low + h) / speed;
+  const std::vector<Point> points = fill(scene, shape_);
+  front_ = farthest(*emitter.shape, points, direction_);
+  rear_ = -farthest(*emitter.shape, points, -1.0 * direction_);
+  const Expected expected(scene, shape_.name);
+  for (const Point& x : points) expected.in_domain(x - (dot(x, direction_) - rear_) * direction_);
+  slices_ = static_cast<std::int64_t>(std::ceil((front_ - rear_) / shape_.spacing));
+  slice_s_ = (front_ - rear_) / (static_cast<double>(slices_) * speed_);
+}
+
+std::vector<Point> EmitterState::filling(std::int64_t portion) const {
+  ShapeToFill other = shape_;
+  other.seed += static_cast<std::uint64_t>(portion) << 32;
+  std::vector<Point> points = fill_poisson(*other.shape, other.spacing, other.seed);
+  return points.empty() ? fill(scene_, shape_) : points;  // a shape of one spacing may be missed now and then
 }
 
 double EmitterState::next_time() const {
-  const double next = from_ + static_cast<double>(poured_) * period_;
-  return next < until_ ? next : k_infinity;
+  const double begun = emitter_.from_s + static_cast<double>(poured_) * slice_s_;
+  return begun < emitter_.until_s ? std::min(emitter_.from_s + static_cast<double>(poured_ + 1) * slice_s_, emitter_.until_s) : k_infinity;
 }
 
 std::vector<NewParticle> EmitterState::pour() {
+  const double now = next_time();
+  const std::int64_t portion = poured_ / slices_, slice = poured_ % slices_;
+  if (portion != portion_) points_ = filling(portion);
+  portion_ = portion;
+  const double began = emitter_.from_s + static_cast<double>(portion * slices_) * slice_s_;
+  const double thickness = slice_s_ * speed_, volume = emitter_.shape->volume() / static_cast<double>(points_.size());
+  std::vector<NewParticle> particles;
+  for (const Point& x : points_) {
+    const double along = dot(x, direction_), ahead = std::clamp(front_ - along, 0.0, front_ - rear_);
+    if (std::min(static_cast<std::int64_t>(ahead / thickness), slices_ - 1) != slice) continue;
+    const double through = speed_ * (now - began) - ahead;  // beyond the plane
+    if (through < 0) continue;                              // it stays behind when pouring ends
+    particles.push_back({x + (rear_ + through - along) * direction_,
+                         volume,
+                         material_number(scene_, emitter_.material),
+                         emitter_.velocity_m_per_s,
+                         {0, 0, 0},
+                         &body_});
+  }
   ++poured_;
-  std::vector<NewParticle> particles = portion_;
-  for (NewParticle& p : particles) p.body = &body_;
   return particles;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Makes particles of bodies and emitters. All particles of a body's shape have the same volume, and together they have the shape's,
 // whatever the filling and the grid. (It counts wholly if it reaches out of the domain by less than a particle; by more, it is refused.)
-// An emitter has no volume but a rate, a portion's over the time in which it moves away by its own length: both are those of the lattice,
-// each particle a cell of it, so that their errors cancel.
+// An emitter pours its shape again and again, each time with other particles: the same ones would follow each other on the same paths,
+// and leave gaps between them where dough spreads.
 #pragma once
 
 #include <cstdint>
@@ -33,23 +33,34 @@ std::vector<NewParticle> fill_bodies(const Scene& scene);
 /// those near the domain's faces.
 void check_filling(const Scene& scene);
 
-/// The state of an emitter. It pours its shape filled with particles, again each time the last filling has moved away by its own length.
+/// The state of an emitter: a column of dough, one filling of the shape behind the other, is pushed through the plane of the shape's rear
+/// end. Slices of it, about one spacing thick, arrive as soon as they are through.
 class EmitterState {
  public:
-  /// Throws InputError as fill_bodies.
+  /// Throws InputError as fill_bodies. `scene` and `emitter` must outlive it.
   EmitterState(const Scene& scene, const Emitter& emitter, std::size_t number);
-  /// Time of the next pouring; infinity if there is none.
+  /// Time at which the next slice is through; infinity if there is none.
   double next_time() const;
-  /// Returns the particles of the next pouring and advances to the one after it.
+  /// Returns the particles of the next slice as they are at next_time(), and advances to the one after it.
   std::vector<NewParticle> pour();
   std::int64_t poured() const { return poured_; }
   void skip_to(std::int64_t poured) { poured_ = poured; }  ///< used when a checkpoint is read
 
  private:
-  double from_, until_, period_;
-  std::int64_t poured_ = 0;
+  std::vector<Point> filling(std::int64_t portion) const;
+
+  const Scene& scene_;
+  const Emitter& emitter_;
+  ShapeToFill shape_;
   Body body_;  ///< what the particles are made of
-  std::vector<NewParticle> portion_;
+  double speed_;
+  Vector3 direction_;
+  double front_, rear_;        ///< of the shape, along the direction [m]
+  std::int64_t slices_;        ///< of a portion
+  double slice_s_;             ///< time in which a slice passes
+  std::int64_t poured_ = 0;    ///< slices
+  std::int64_t portion_ = -1;  ///< whose points are kept
+  std::vector<Point> points_;
 };
 
 }  // namespace bake

@@ -82,14 +82,14 @@ std::string summary_text(const Scene& scene, const ResultsFolder& results, const
   std::string text =
       fmt::format("{}: {:.4g} s simulated, {} particles, {} steps\n", scene.title.empty() ? scene.file.stem().string() : scene.title,
                   now("time_s"), std::int64_t(now("particles")), std::int64_t(now("steps")));
-  if (value(first, "volume_m3") > 0)
-    text += fmt::format("  volume       x {:.3f} ({:.4g} m^3)\n", now("volume_m3") / value(first, "volume_m3"), now("volume_m3"));
+  const double volume = value(first, "volume_m3") + now("emitted_volume_m3"),
+               water = value(first, "water_mass_kg") + now("emitted_water_mass_kg");
+  if (volume > 0) text += fmt::format("  volume       x {:.3f} ({:.4g} m^3)\n", now("volume_m3") / volume, now("volume_m3"));
   if (is_of_scene(scene, "temperature_mean_C"))
     text += fmt::format("  temperature  {:.1f} to {:.1f} C, mean {:.1f} C\n", now("temperature_min_C"), now("temperature_max_C"),
                         now("temperature_mean_C"));
-  if (value(first, "water_mass_kg") > 0)
-    text += fmt::format("  water lost   {:.4g} kg ({:.2f} %)\n", now("water_evaporated_kg"),
-                        100 * now("water_evaporated_kg") / value(first, "water_mass_kg"));
+  if (water > 0)
+    text += fmt::format("  water lost   {:.4g} kg ({:.2f} %)\n", now("water_evaporated_kg"), 100 * now("water_evaporated_kg") / water);
   if (is_of_scene(scene, "gas_mol")) text += fmt::format("  gas made     {:.4g} mol\n", now("gas_mol"));
   if (inertia_scale != 1 && now("elastic_J") > 0)
     text += fmt::format("  inertia      x {:g}; kinetic energy is {:.2g} of the elastic one: small means quasi-static\n", inertia_scale,
@@ -206,6 +206,7 @@ void Run::resume() {
   const auto refuse = [&](const std::string& found) {
     throw InputError(fmt::format("{}: {}; start the run anew, or give it the end that it had", results_.checkpoint().string(), found));
   };
+  if (frame < 0) refuse(fmt::format("is of frame {}, the first is 0", frame));
   if (frame > times_.last()) refuse(fmt::format("is of frame {}, behind the end at frame {}", frame, times_.last()));
   frame_ = static_cast<int>(frame);
   if (next != times_(frame_ + 1))  // the lengths of the steps would not be those of a run that never stopped
@@ -215,7 +216,11 @@ void Run::resume() {
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}; the checkpoint needs what was written before it: start the run anew", error.what()));
   }
-  simulation_ = Simulation::resume(scene_, checkpoint);
+  try {
+    simulation_ = Simulation::resume(scene_, checkpoint);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}; start the run anew", results_.checkpoint().string(), error.what()));
+  }
   if (frame_ == times_.last() && simulation_->time() > times_.end_s())
     refuse(fmt::format("is of {:g} s, behind the end at {:g} s", simulation_->time(), times_.end_s()));
   old_steps_ = simulation_->counters().particle_steps;
@@ -374,23 +379,27 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
 
 namespace {
 
-/// Seconds per particle on this machine.
+/// Seconds per particle on this machine, and how the steps' mean length compares with the first one's.
 struct Costs {
-  double step = 0, frame = 0;
+  double step = 0, frame = 0, lengthening = 1;
 };
 
-/// Measures them by 20 steps and a frame at the start of a simulation.
+/// Measures them by a second of steps, 20 at least, and a frame, at the start of a simulation.
 Costs try_out(Simulation& simulation, double end) {
-  const double began = steady_seconds();
-  int steps = 20;
-  simulation.advance(end, end, [&] { return --steps > 0; });
+  constexpr double k_trial_s = 1;
+  constexpr int k_fewest = 20;
+  const double first_step = simulation.dt(), began = steady_seconds();
+  int steps = 0;
+  simulation.advance(end, end, [&] { return ++steps < k_fewest || steady_seconds() - began < k_trial_s; });
   const double taken = steady_seconds() - began;
+  const double lengthening = steps > 0 && first_step > 0 ? simulation.time() / steps / first_step : 1;
   const ScratchFolder scratch;
   simulation.write_frame_file(scratch / frame_name(0));  // the first frame takes much longer than later ones
   const double again = steady_seconds();
   simulation.write_frame_file(scratch / frame_name(1));
   const double particles = std::max(static_cast<double>(simulation.particles()), 1.0);
-  return {taken / std::max(static_cast<double>(simulation.counters().particle_steps), 1.0), (steady_seconds() - again) / particles};
+  return {taken / std::max(static_cast<double>(simulation.counters().particle_steps), 1.0), (steady_seconds() - again) / particles,
+          lengthening};
 }
 
 }  // namespace
@@ -416,12 +425,13 @@ std::string describe_scene(const Scene& scene, int threads) {
       continue;
     }
     const auto n = static_cast<double>(simulation->particles());
+    const double first_step = simulation->dt();
     if (!costs) {
       text += fmt::format("  memory       {}\n", simulation->memory_words());
       costs = try_out(*simulation, scene.run.end_s);
       tried = word_of(quality);
     }
-    const double steps = simulation->dt() > 0 ? std::ceil(scene.run.end_s / simulation->dt()) : 0;
+    const double steps = first_step > 0 ? std::ceil(scene.run.end_s / (first_step * costs->lengthening)) : 0;
     const double frames = scene.run.end_s * scene.run.frame_rate_per_s;
     text += fmt::format("  {:<12} dx {:.4g} m, {:.0f} particles, {:.0f} MB ({:.0f} bytes per particle), about {:.0f} steps, {}\n",
                         word_of(quality), at.dx(), n, static_cast<double>(simulation->bytes()) / 1e6,
@@ -430,8 +440,7 @@ std::string describe_scene(const Scene& scene, int threads) {
   }
   for (const std::string& warning : warnings_about(scene)) text += fmt::format("  warning      {}\n", warning);
   for (const std::string& doubt : doubts_about_skins(scene)) text += fmt::format("  doubt        {}\n", doubt);
-  return text +
-         fmt::format("  (steps from the first step's length; time from a trial of 20 steps and a frame at {} on this machine)", tried);
+  return text + fmt::format("  (steps and time from a trial of about a second and a frame at {} on this machine)", tried);
 }
 
 }  // namespace bake

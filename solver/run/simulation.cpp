@@ -28,6 +28,7 @@ namespace {
 template <class Real>
 class SimulationOf final : public Simulation {
   static constexpr int W = k_width<Real>;
+  static constexpr double k_rounding = 1e-12;  ///< of times that are computed in two ways
 
  public:
   explicit SimulationOf(const Scene& scene) : scene_(scene), engine_(scene_) {
@@ -41,8 +42,12 @@ class SimulationOf final : public Simulation {
     if (!scene_.skins.empty()) {
       const std::vector<MadeSkin> skins = make_skins(scene_);
       std::vector<SurfaceMesh> meshes;
-      for (const MadeSkin& skin : skins) meshes.push_back(skin.mesh);
-      engine_.cover(std::move(meshes), vertices_of(scene_, skins, particles));
+      std::vector<double> covers;
+      for (const MadeSkin& skin : skins) {
+        meshes.push_back(skin.mesh);
+        covers.insert(covers.end(), skin.covers.begin(), skin.covers.end());
+      }
+      engine_.cover(std::move(meshes), vertices_of(scene_, skins, particles), covers);
     }
     pour_due();
     engine_.start(std::min(first_target.value_or(1 / scene_.run.frame_rate_per_s), next_event()));
@@ -52,12 +57,14 @@ class SimulationOf final : public Simulation {
     engine_.read(in);
     const auto poured = in.array<std::int64_t>("poured");
     if (poured.size() != emitters_.size()) throw InputError("the checkpoint has other emitters than the scene");
+    if (std::any_of(poured.begin(), poured.end(), [](std::int64_t count) { return count < 0; }))
+      throw InputError("the checkpoint has an emitter that has poured less than nothing");
     for (std::size_t i = 0; i < emitters_.size(); ++i) emitters_[i]->skip_to(poured[i]);
   }
 
   bool advance(double target, double next_target, const std::function<bool()>& after_step) override {
     while (engine_.time() < target) {
-      const double stop = std::min(target, next_event());
+      const double event = next_event(), stop = event < target * (1 - k_rounding) ? event : target;  // no step of 1e-15 s between them
       const double after_stop = stop < target ? std::min(target, event_after(stop)) : std::min(next_target, event_after(stop));
       engine_.step(stop, after_stop);
       pour_due();
@@ -141,7 +148,9 @@ class SimulationOf final : public Simulation {
     const auto& shown = engine_.physics().frame_columns;
     const bool has_velocity = engine_.velocity().size() > 0;
     FrameData frame;
-    frame.positions.resize(3 * n);
+    const bool wide = stores_double_positions(std::is_same_v<Real, double>, farthest_coordinate(), scene_.dx());
+    std::vector<float> narrow_positions(wide ? 0 : 3 * n);
+    std::vector<double> wide_positions(wide ? 3 * n : 0);
     std::vector<std::int64_t> id(n), material(n);
     std::vector<float> v(has_velocity ? 3 * n : 0);
     std::vector<std::vector<float>> scalars(shown.size(), std::vector<float>(n));
@@ -154,7 +163,11 @@ class SimulationOf final : public Simulation {
           id[row] = static_cast<std::int64_t>(identity);
           material[row] = store.tiles[t].material;
           const Point x = position(p);
-          for (std::size_t d = 0; d < 3; ++d) frame.positions[3 * row + d] = static_cast<float>(x[d]);
+          for (std::size_t d = 0; d < 3; ++d)
+            if (wide)
+              wide_positions[3 * row + d] = x[d];
+            else
+              narrow_positions[3 * row + d] = static_cast<float>(x[d]);
           if (!has_velocity) return;
           const Vector3 v_p = velocity(p);
           for (std::size_t d = 0; d < 3; ++d) v[3 * row + d] = static_cast<float>(v_p[d]);
@@ -168,6 +181,10 @@ class SimulationOf final : public Simulation {
         }
       });
     });
+    if (wide)
+      frame.positions = std::move(wide_positions);
+    else
+      frame.positions = std::move(narrow_positions);
     frame.columns.push_back({"id", "1", std::move(id)});
     frame.columns.push_back({"material", "1", std::move(material)});
     if (has_velocity || (n == 0 && engine_.physics().moves)) frame.columns.push_back({"velocity", "m/s", std::move(v), 3});
@@ -212,6 +229,13 @@ class SimulationOf final : public Simulation {
   }
 
  private:
+  /// [m] of the domain from the origin along an axis
+  double farthest_coordinate() const {
+    double farthest = 0;
+    for (int d = 0; d < 3; ++d) farthest = std::max({farthest, std::abs(scene_.domain.min_m[d]), std::abs(scene_.domain.max_m[d])});
+    return farthest;
+  }
+
   std::vector<double> skin_velocities(const Sheets<Real>& skins) const {
     std::vector<double> all(3 * skins.vertices(), 0);
     const auto& store = engine_.store();
@@ -234,7 +258,7 @@ class SimulationOf final : public Simulation {
   }
   void pour_due() {
     for (const auto& emitter : emitters_)
-      while (emitter->next_time() <= engine_.time()) engine_.add(emitter->pour(), true);
+      while (emitter->next_time() <= engine_.time() * (1 + k_rounding)) engine_.add(emitter->pour(), true);
   }
 
   /// What a list of quantities has of that symbol; 0 if it is not in it.

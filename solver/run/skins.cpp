@@ -67,6 +67,10 @@ MadeSkin make_skin(const Scene& scene, const Skin& skin) {
     made.body.resize(made.mesh.points.size(), static_cast<std::int32_t>(body));
   }
   check_mesh(scene, made.mesh);
+  SurfaceMesh surface = made.mesh;
+  move_inwards(surface, -skin.depth_dx * scene.dx());
+  const std::vector<double> above = vertex_areas(surface), own = vertex_areas(made.mesh);
+  for (std::size_t v = 0; v < own.size(); ++v) made.covers.push_back(above[v] / own[v]);
   return made;
 }
 
@@ -168,7 +172,7 @@ std::vector<MeshField> flesh_at(const std::vector<double>& points, const FrameDa
   if (fields.empty()) return fields;
   const auto cell_of = [&](double x, double y, double z, int i, int j, int k) {
     const auto part = [&](double u, int step) {
-      return (static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(u / (2 * dx))) + step) & 0x1fffff);
+      return (static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(u / (1.5 * dx))) + step) & 0x1fffff);
     };
     return part(x, i) << 42 | part(y, j) << 21 | part(z, k);
   };
@@ -185,10 +189,11 @@ std::vector<MeshField> flesh_at(const std::vector<double>& points, const FrameDa
       if (found == particles_in.end()) continue;
       for (const std::size_t p : found->second) {
         double w = 1;
-        for (std::size_t d = 0; d < 3; ++d) {
+        for (std::size_t d = 0; d < 3 && w > 0; ++d) {
           const double u = std::abs(x[d] - static_cast<double>(x_p[3 * p + d])) / dx;
-          w *= u < 1 ? 2. / 3 - u * u + u * u * u / 2 : u < 2 ? (2 - u) * (2 - u) * (2 - u) / 6 : 0;  // cubic
+          w *= u < 0.5 ? 0.75 - u * u : u < 1.5 ? 0.5 * (1.5 - u) * (1.5 - u) : 0;
         }
+        if (w == 0) continue;
         weights += w;
         for (std::size_t c = 0; c < columns.size(); ++c) sums[c] += w * static_cast<double>((*columns[c])[p]);
       }

@@ -19,6 +19,7 @@ inline constexpr double k_skin_edge_dx = 0.6;  ///< edges of meshes that are mad
 struct MadeSkin {
   SurfaceMesh mesh;
   std::vector<std::int32_t> body;  ///< of each vertex
+  std::vector<double> covers;      ///< of each vertex, the area of the body's surface above it over its own
 };
 
 /// The skins of a scene, in its order. Throws InputError, one line: a mesh cannot be made or read, has a triangle without area or no
@@ -31,8 +32,8 @@ std::vector<NewParticle> vertices_of(const Scene& scene, const std::vector<MadeS
 /// What may be doubtful about the skins of a scene at its quality, one sentence each; none if it has none. Throws InputError as make_skins.
 std::vector<std::string> doubts_about_skins(const Scene& scene);
 
-/// Columns of frames that meshes of skins show, too: the mean over the flesh around each vertex, with a B-spline's weights. 0 where there
-/// is none within two dx.
+/// Columns of frames that meshes of skins show, too: the mean over the flesh around each vertex, with the quadratic B-spline's weights. 0
+/// where there is none within 1.5 dx.
 std::vector<MeshField> flesh_at(const std::vector<double>& points, const FrameData& frame, double dx);
 
 }  // namespace bake

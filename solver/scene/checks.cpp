@@ -36,6 +36,16 @@ void check_span(const SceneEntry& entry, const T& value) {
   Complaint(entry).at(key, "found from_s = {} and until_s = {}, allowed: from_s before until_s", value.from_s, value.until_s);
 }
 
+/// What is water cannot be gas.
+template <class T>
+void check_saturation(const SceneEntry& entry, const T& value, const Scene& scene) {
+  for (const Material& material : scene.materials)
+    if (material.name == value.material && value.saturation.value_or(0) + material.initial_porosity > 1)
+      Complaint(entry).at("saturation",
+                          "found {} of the volume water and {} gas (the material's initial_porosity), allowed: together at most 1",
+                          *value.saturation, material.initial_porosity);
+}
+
 /// A shape that is filled with particles must be bounded.
 void check_bounded(const SceneEntry& entry, const Shape& shape) {
   const Box3 box = shape.bounds();
@@ -86,6 +96,7 @@ void check(const SceneEntry& entry, const Body& value, const Scene& scene) {
   if (value.shape && from_file) entry.complain("found both shape and particles_file, allowed: one of them");
   if (!value.shape && !from_file) entry.complain("found neither shape nor particles_file, allowed: one of them");
   if (value.shape) check_bounded(entry, *value.shape);
+  check_saturation(entry, value, scene);
 }
 
 void check(const SceneEntry& entry, const Collider& value, const Scene&) {
@@ -102,6 +113,8 @@ void check(const SceneEntry& entry, const Emitter& value, const Scene& scene) {
   check_material_name(entry, value.material, scene);
   check_span(entry, value);
   check_bounded(entry, *value.shape);
+  check_saturation(entry, value, scene);
+  if (value.from_s < 0) Complaint(entry).at("from_s", "found {}, allowed: 0 or later", value.from_s);
   if (value.velocity_m_per_s == Vector3{0, 0, 0})
     Complaint(entry).at("velocity_m_per_s", "found [0, 0, 0], allowed: a velocity that is not zero");
 }

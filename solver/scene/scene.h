@@ -30,7 +30,9 @@ struct Material {
         Parameter{"name", &Material::name, "", any_number, "how bodies refer to it", Presence::required},
         Parameter{"density_kg_per_m3", &Material::density_kg_per_m3, "kg/m^3", positive,
                   "R_0: initial density of the mixture, water included", Presence::required},
-        Parameter{"initial_porosity", &Material::initial_porosity, "1", open_fraction, "n_0: share of the initial volume that is gas"},
+        Parameter{
+            "initial_porosity", &Material::initial_porosity, "1", open_fraction,
+            "n_0: share of the initial volume that is gas; pores make the yield stress of plastic dough depend on pressure (near 0: not)"},
         Parameter{"initial_saturation", &Material::initial_saturation, "1", fraction,
                   "s_0: share of the initial volume that is water; also where water pressure is zero"},
         Parameter{"initial_temperature_C", &Material::initial_temperature_C, "C", above_absolute_zero,

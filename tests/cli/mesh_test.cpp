@@ -39,11 +39,47 @@ TEST_F(AMesh, WithAMistakeIsOneLineAndExitTwo) {
   expect_refused(place, "tets dough --body 1 --out x.hdf", "--body: found 1, the scene has 1");
   expect_refused(place, "tets dough --method mesh3 --out x.hdf", "--method: found mesh3 with a scene");
   expect_refused(place, "tets dough --vertices 5 --out x.hdf", "5 vertices are too few");
-  expect_refused(place, "tets hello.stl --vertices 100 --out x.hdf", "hello.stl: is empty: it has no triangles");
+  expect_refused(place, "tets hello.stl --vertices 100 --out x.hdf", "hello.stl: is no STL file");
   expect_refused(place, "tets body.vtk --out x.hdf", "body.vtk: found .vtk, allowed: a scene (.toml), or .stl, .obj, .ply, .off");
   expect_refused(place, "skin dough --edge-length 1 --out x.hdf", "are too long for this body");
   expect_refused(place, "fracture x.hdf run --out y", "x.hdf: cannot open");
   EXPECT_FALSE(std::filesystem::exists(place.folder() / "x.hdf"));
+}
+
+/// A biscuit of 1 x 1 x 0.2, whose sides are faces of four corners.
+constexpr const char* k_biscuit =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 0.2\nv 1 0 0.2\nv 1 1 0.2\nv 0 1 0.2\n"
+    "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+TEST_F(AMesh, FallsBackToTheLatticeWhereTheEdgesCannotBeKept) {
+  place.write("biscuit.obj", k_biscuit);
+  const Outcome made = place.bake("tets biscuit.obj --vertices 200 --out x.hdf");
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_NE(made.err.find("bake-mesh: mesh3 gives up (its mesh is empty), so the lattice is used"), std::string::npos) << made.err;
+  EXPECT_EQ(made.out.find(" 0 tetrahedra"), std::string::npos) << made.out;
+  EXPECT_NE(made.out.find("0.2 m^3"), std::string::npos) << made.out;
+  EXPECT_NE(place.bake("tets biscuit.obj --vertices 200 --method mesh3 --out y.hdf").exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(place.folder() / "y.hdf"));
+}
+
+TEST_F(AMesh, TellsWhatItMendedAndWhatItDoubts) {
+  std::string turned = k_biscuit;
+  turned.replace(turned.find("f 1 4 3 2"), 9, "f 1 2 3 4");
+  for (std::size_t at = turned.find("0.2"); at != turned.npos; at = turned.find("0.2")) turned.replace(at, 3, "200");
+  place.write("biscuit.obj", turned);
+  const Outcome made = place.bake("skin biscuit.obj --edge-length 100 --out x.hdf");
+  EXPECT_NE(made.err.find("bake-mesh: biscuit.obj: mended: triangles turned so that all look outwards"), std::string::npos) << made.err;
+  EXPECT_NE(made.err.find("is 200 m across, if its numbers are metres; if they are millimetres, add --unit mm"), std::string::npos)
+      << made.err;
+  const Outcome small = place.bake("skin biscuit.obj --unit mm --edge-length 0.1 --out x.hdf");
+  EXPECT_EQ(small.err.find("across"), std::string::npos) << small.err;
+}
+
+TEST_F(AMesh, TooLargeForTheMachineIsRefusedWithTheEstimate) {
+  place.write("biscuit.obj", k_biscuit);
+  expect_refused(place, "tets biscuit.obj --vertices 100000000 --out x.hdf", "100000000 vertices would take about ");
+  expect_refused(place, "skin biscuit.obj --edge-length 1e-9 --out x.hdf", "edges of 1e-09 m would take about ");
+  expect_refused(place, "tets dough --vertices 100000000 --out x.hdf", "100000000 vertices would take about ");
 }
 
 TEST_F(AMesh, HelpsWithItsCommands) {

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "solver/effects/all_effects.h"
+#include "solver/engine/sheets.h"
 #include "solver/run/ledger.h"
 #include "solver/run/simulation.h"
 #include "solver/scene/scene_builder.h"
@@ -71,7 +72,7 @@ inline void take_steps(Simulation& s, int count, double dt) {
   take_steps(s, count, dt, [] {});
 }
 
-/// The ledger's sums at the last sample.
+/// The ledger's sums at the last sample; elastic energy is that of the dough and its skin.
 struct Sums {
   double solid, water, heat, gas, volume, kinetic, elastic;
   Vector3 momentum, angular;
@@ -80,6 +81,7 @@ struct Sums {
 
   explicit Sums(const Simulation& s) {
     read([&](auto q, int i = 0) { return s.total(q, i); });
+    elastic += s.skin_sums().membrane + s.skin_sums().bending;
     const auto vector = [&](auto q) { return Vector3{s.booked(q, 0), s.booked(q, 1), s.booked(q, 2)}; };
     evaporated = s.booked(booked::evaporated), limited = s.booked(booked::water_limited), dissipated = s.booked(booked::dissipated);
     exchanged = s.booked(booked::heat_exchanged), latent = s.booked(booked::latent_heat), expansion = s.booked(booked::expansion_heat);

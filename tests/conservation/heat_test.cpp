@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/conservation/dough.h"
 
 namespace bake {
@@ -57,6 +59,56 @@ TEST(ForwardEuler, BooksTheHeatOfAGripThatHoldsATemperature) {
   take_steps(*s, 40, 1e-3);
   EXPECT_NEAR(Sums(*s).heat, start.heat + Sums(*s).exchanged - start.exchanged, 40e-12 * Sums(*s).heat);
   EXPECT_GT(Sums(*s).heat, 1.05 * start.heat);
+}
+
+/// It melts between 30 and 31 C, which takes as much heat as 25 degrees do.
+std::string melting() { return Dough::properties("", "transition_heat_J_per_kg = 500\ntransition_from_C = 30\ntransition_to_C = 31\n"); }
+
+TEST(MeltingDough, BooksTheHeatThatTheOvenGives) {
+  for (const char* integrator : {"forward_euler", "backward_euler"}) {
+    Dough dough = baked(integrator);
+    dough.heat += "\nwater_specific_heat_J_per_kgK = 40";
+    dough.material = melting();
+    const auto s = dough.begin();
+    const Sums start(*s);
+    int steps = 0;
+    take_steps(*s, 200, 1e-3, [&] {
+      const Sums now(*s);
+      ASSERT_NEAR(now.heat, start.heat + now.exchanged - start.exchanged, ++steps * (1e-8 + 1e-12) * now.heat) << integrator;
+    });
+    EXPECT_GT(s->highest(highest::temperature), 32) << "else none has molten";
+    EXPECT_LT(-s->highest(highest::coldness), 31) << "else all has";
+  }
+}
+
+TEST(MeltingDough, BooksItsHeatWhileItMovesAndDries) {
+  Dough dough = baked("forward_euler");
+  dough.heat = Dough().heat;
+  dough.effects = "motion, heat, water, elasticity, plasticity";
+  dough.body = "temperature_C = 29.9\nangular_velocity_rad_per_s = [0, 3, 1]";
+  dough.tables += "[water]\nlatent_heat_J_per_kg = 1e3\n";
+  dough.material =
+      Dough::properties(Dough::moving_water(), "transition_heat_J_per_kg = 500\ntransition_from_C = 30\ntransition_to_C = 31\n");
+  const auto s = dough.begin();
+  const Sums start(*s);
+  take_steps(*s, 40, 1e-3);
+  const Sums now(*s);
+  const double gained = now.exchanged - now.latent - now.vapour_heat + now.remapped_heat - now.expansion;
+  EXPECT_NEAR(now.heat, start.heat + gained, 40e-12 * now.heat);
+  EXPECT_GT(s->highest(highest::temperature), 31) << "else none has molten";
+}
+
+/// Past the transition in one step as well as in many: what was spent on it is the latent heat.
+TEST(MeltingDough, HoldsItsLatentHeatOnceItHasMolten) {
+  for (const double temperature : {29.0, 30.25, 31.0, 80.0}) {
+    Dough dough = baked("forward_euler");
+    dough.heat = Dough().heat;
+    dough.tables = "";
+    dough.body = fmt::format("temperature_C = {}", temperature);
+    const double plain = Sums(*dough.begin()).heat, solid = Sums(*dough.begin()).solid;
+    dough.material = melting();
+    EXPECT_NEAR(Sums(*dough.begin()).heat - plain, 500 * solid * std::clamp(temperature - 30, 0.0, 1.0), 1e-9 * plain) << temperature;
+  }
 }
 
 TEST(BothEulers, EndAtTheTemperatureOfTheOven) {

@@ -3,8 +3,12 @@
 // experiments/convergence, and are printed where one is missed.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "experiments/common/order.h"
 #include "experiments/convergence/cases.h"
+#include "experiments/convergence/exact.h"
 
 namespace bake::studies {
 namespace {
@@ -28,6 +32,14 @@ TEST(Slab, WarmsBetweenHeldFacesAsItsSeriesSays) {
 }
 
 TEST(Slab, CoolsInAirAsItsSeriesSays) { expect_held(robin); }
+TEST(Slab, LiesBetweenAHotAndAColdColliderAsOneModeSays) { expect_held(plates); }
+TEST(Slab, MeltsAsNeumannsSolutionSays) { expect_held(melting); }
+TEST(TheMeltingSlab, HasStefansFrontWhereItMeltsAtOnePoint) {
+  double lambda = 0.5;  // of lambda exp(lambda^2) erf(lambda) = c (theta - theta_melting) / (L sqrt(pi)): one, over the root of pi
+  for (int i = 0; i < 100; ++i) lambda += 0.5 * (1 / std::sqrt(std::numbers::pi) - lambda * std::exp(lambda * lambda) * std::erf(lambda));
+  EXPECT_NEAR(melting_front(1e-3), lambda, 2e-3);
+  EXPECT_NEAR((melting_front(2e-3) - lambda) / (melting_front(1e-3) - lambda), 2, 0.1) << "it goes there with the width";
+}
 TEST(Square, WarmsBetweenHeldSidesAsItsSeriesSays) { expect_held(square); }
 TEST(BothEulers, AreOfFirstOrderInTime) { expect_held(eulers); }
 

@@ -276,9 +276,25 @@ std::vector<RandomScene> every_form() {
   return all;
 }
 
+/// What the paper does not have: latent heat of melting, and dough without pores, a fluid once it is warm.
+std::vector<RandomScene> every_addition() {
+  const std::string melts = "transition_heat_J_per_kg = 500\ntransition_from_C = 20\ntransition_to_C = 22";
+  return {{.name = "melting", .effects = k_everything, .material = melts, .seed = 300},
+          {.name = "melting_backward_euler",
+           .effects = k_everything,
+           .heat = "integrator = \"backward_euler\"",
+           .material = melts,
+           .seed = 301},
+          {.name = "never_porous",
+           .effects = "motion, heat, elasticity, plasticity",
+           .material = "yield_stress_Pa = [200, 0, 0, 400]",
+           .overrides = {"material.0.initial_porosity=1e-7", "material.1.initial_porosity=1e-7"},
+           .seed = 302}};
+}
+
 std::vector<RandomScene> every_scene() {
   std::vector<RandomScene> all = every_model();
-  for (const auto& more : {every_form(), every_boundary(), every_skin()}) all.insert(all.end(), more.begin(), more.end());
+  for (const auto& more : {every_form(), every_boundary(), every_skin(), every_addition()}) all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 

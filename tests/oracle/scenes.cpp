@@ -106,6 +106,7 @@ pivot_m = [0.1, 0.45, 0.1]
                       "[0.1, 0.2, 1]", fmt::format("[{:.17g}, {:.17g}, 0.1]", dice.between(0.05, 0.15), dice.between(0.4, 0.5)),
                       dice.vector(-90, 90));
   text += tables;
+  builder.overrides = overrides;
   return builder.scene();
 }
 

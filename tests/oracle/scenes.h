@@ -4,6 +4,7 @@
 
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "solver/scene/scene_builder.h"
 
@@ -24,6 +25,7 @@ struct RandomScene {
   std::string tables = {};                                     ///< further tables
   std::string gravity = {};                                    ///< drawn if empty
   std::string faces = "x_min = \"sticky\"\ny_min = \"slip\"";  ///< keys of [domain]
+  std::vector<std::string> overrides = {};                     ///< `key=value`, as for parse_scene
   Vector3 far_corner{0.6, 0.6, 0.6};                           ///< of the domain
   int seed = 1;
   std::string precision = "double";

@@ -2,6 +2,9 @@
 // Cruel scenes end with finite numbers and closed books, or with an error that names particle, quantity and step.
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <map>
+#include <random>
 #include <regex>
 
 #include "solver/effects/elasticity.h"
@@ -31,6 +34,14 @@ TEST(AStepBelowTheSmallestAllowed, EndsTheRunWithTheReason) {
   for (const char* part : {"stiffness", "time.smallest_step_s", "step 0"}) EXPECT_NE(message.find(part), std::string::npos) << message;
 }
 
+TEST(AStepOfAbsurdlyStiffDough, EndsTheRunInsteadOfCrawling) {
+  Dough dough = small();
+  const std::string usual = "young_modulus_Pa = 2e4";
+  dough.material.replace(dough.material.find(usual), usual.size(), "young_modulus_Pa = 1e30");
+  const std::string message = message_of<RunError>([&] { Watched(dough).run(0.01); });
+  for (const char* part : {"stiffness", "below time.smallest_step_s = "}) EXPECT_NE(message.find(part), std::string::npos) << message;
+}
+
 TEST(AStepByWhichTimeDoesNotAdvance, EndsTheRunWithTheReason) {
   Dough dough = small();
   dough.tables =
@@ -50,29 +61,29 @@ TEST(AColliderWithoutEndThatTurns, LimitsTheStepByItsSpeedInTheDomain) {
   EXPECT_GT(ball->dt(), 1e-5);
 }
 
-/// Writes the checkpoint of a run again with one number of one particle replaced.
-template <class Real>
-void poison(const std::filesystem::path& from, const std::filesystem::path& to, Precision precision, std::size_t index, Real value) {
+/// Writes the checkpoint of a run again, with checksums that match. `spoil(name, values)` may change each array.
+template <class Real, class Spoil>
+void rewrite(const std::filesystem::path& from, const std::filesystem::path& to, Precision precision, Spoil spoil) {
   const CheckpointReader in(from);
   CheckpointWriter out(to, "poisoned", precision);
-  for (const char* name : {"blocks", "tiles"}) {
-    const auto values = in.array<std::int32_t>(name);
-    out.add(name, std::span<const std::int32_t>(values));
-  }
-  auto particles = in.array<Real>("particles");
-  particles.at(index) = value;
-  out.add("particles", std::span<const Real>(particles));
-  const auto grid = in.array<Real>("grid");
-  out.add("grid", std::span<const Real>(grid));
-  for (const char* name : {"numbers", "bounds", "highest", "booked", "totals", "retired", "emitted"}) {
-    const auto values = in.array<double>(name);
-    out.add(name, std::span<const double>(values));
-  }
-  for (const char* name : {"counts", "poured"}) {
-    const auto values = in.array<std::int64_t>(name);
-    out.add(name, std::span<const std::int64_t>(values));
-  }
+  const auto copy = [&]<class T>(const char* name, T) {
+    auto values = in.array<T>(name);
+    spoil(std::string(name), values);
+    out.add(name, std::span<const T>(values));
+  };
+  for (const char* name : {"blocks", "tiles"}) copy(name, std::int32_t{});
+  for (const char* name : {"particles", "grid"}) copy(name, Real{});
+  for (const char* name : {"numbers", "bounds", "highest", "booked", "totals", "retired", "emitted"}) copy(name, double{});
+  for (const char* name : {"counts", "poured"}) copy(name, std::int64_t{});
   out.commit();
+}
+
+/// ... with one number of one particle replaced.
+template <class Real>
+void poison(const std::filesystem::path& from, const std::filesystem::path& to, Precision precision, std::size_t index, Real value) {
+  rewrite<Real>(from, to, precision, [&]<class T>(const std::string& name, std::vector<T>& values) {
+    if (name == "particles") values.at(index) = static_cast<T>(value);
+  });
 }
 
 /// The checkpoint of a scene's first 0.02 s.
@@ -185,6 +196,76 @@ TEST(ACheckpoint, WithAParticleNowhereIsRefused) {
     poison<double>(folder / "good.h5", folder / "bad.h5", scene.run.precision, k_position_column * k_width<double>, nowhere);
     EXPECT_THROW(Simulation::resume(scene, CheckpointReader(folder / "bad.h5")), InputError);
   }
+}
+
+/// Something that is wrong in an array: a number, two numbers in each other's place, or the array's length.
+template <class T>
+void spoil_at_random(std::vector<T>& values, std::mt19937& random) {
+  const auto any = [&](std::size_t count) { return std::uniform_int_distribution<std::size_t>(0, count - 1)(random); };
+  using Limits = std::numeric_limits<T>;
+  if (values.empty()) return values.push_back(T(1));
+  T& value = values[any(values.size())];
+  switch (any(10)) {
+    case 0:
+      return values.pop_back();
+    case 1:
+      values.resize(values.size() + (values.size() + 1) / 2);
+      return;
+    case 2:
+      return std::swap(value, values[any(values.size())]);
+    case 3:
+      value = Limits::max();
+      return;
+    case 4:
+      value = Limits::lowest();
+      return;
+    case 5:
+      value = Limits::has_infinity ? Limits::infinity() : static_cast<T>(1 << 20);
+      return;
+    case 6:
+      value = Limits::has_quiet_NaN ? Limits::quiet_NaN() : static_cast<T>(-1);
+      return;
+    case 7:
+      value = static_cast<T>(value + 1);
+      return;
+    case 8:
+      value = static_cast<T>(value - 1);
+      return;
+    default:
+      value = static_cast<T>(-3 * value + 7);
+  }
+}
+
+// What is refused is refused as input; what a run could have written, if not this one, is gone on with or ends as a run does.
+TEST(ACheckpoint, ThatIsWrongInAnyWayIsRefusedOrAtLeastDoesNoHarm) {
+  Dough dough = small();
+  dough.faces = "x_max = \"open\"";
+  const Scene scene = dough.scene();
+  const TemporaryFolder folder;
+  ASSERT_NO_FATAL_FAILURE(save_one_frame(scene, folder / "good.h5"));
+  std::mt19937 random(2019);
+  std::map<std::string, int> refused;
+  for (const char* chosen : {"blocks", "tiles", "particles", "grid", "numbers", "bounds", "highest", "booked", "totals", "retired",
+                             "emitted", "counts", "poured"})
+    for (int i = 0; i < 40; ++i) {
+      rewrite<double>(folder / "good.h5", folder / "bad.h5", scene.run.precision,
+                      [&]<class T>(const std::string& name, std::vector<T>& values) {
+                        if (name == chosen) spoil_at_random(values, random);
+                      });
+      try {
+        const auto s = Simulation::resume(scene, CheckpointReader(folder / "bad.h5"));
+        int steps = 0;
+        s->advance(s->time() + 0.02, s->time() + 0.04, [&] { return ++steps < 3; });
+        s->frame();
+      } catch (const InputError&) {
+        ++refused[chosen];
+      } catch (const RunError&) {
+      }
+    }
+  EXPECT_GT(refused["blocks"], 25);
+  EXPECT_GT(refused["tiles"], 20);
+  EXPECT_GT(refused["counts"], 20);
+  for (const auto& [name, times] : refused) EXPECT_GT(times, 4) << name;
 }
 
 TEST(StiffPores, AreStableAndFreeOfStressAtTheStart) {

@@ -134,6 +134,12 @@ TEST(Figures9And10, GrapesDryFromOutsideAndTheirSkinsFold) {
   check_pictures(saturation, "fig10_saturation");
 }
 
+TEST(Figure11, BatterIsPouredCooksFromBelowAndIsFlippedInOnePiece) {
+  const Made figure(11, "pancake");
+  check_claims(figure, {}, 14);
+  check_pictures(figure, "fig11_pancake");
+}
+
 TEST(Figure15, LoavesExpandAndSlitsOpenButTheTopDoesNotCrack) {
   const Made figure(15, "bread");
   check_claims(figure, {"crack_share"}, 6);  // should it hold one day, this line and the README are to be mended
@@ -150,6 +156,18 @@ TEST(Figure16, LoafIsTornInTwo) {
   const Made figure(16, "tearing");
   check_claims(figure, {}, 7);
   check_pictures(figure, "fig16_tearing");
+}
+
+TEST(Figure17, CookiesAreDomedAndThoseThatMeltAndSetAreFlat) {
+  const Made figure(17, "cookies_compared");
+  check_claims(figure, {}, 38);
+  check_pictures(figure, "fig17_cookies_compared");
+}
+
+TEST(Figure19, AFluidSpreadsOverTheRimOfThePanAndBatterDoesNot) {
+  const Made figure(19, "pancake_compared");
+  check_claims(figure, {}, 9);
+  check_pictures(figure, "fig19_pancake_compared");
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ TEST(View, SaysWhatIsWrongInOneLine) {
   EXPECT_TRUE(has(refusal("[[object]]\ncut_normal = [1, 0, 0]"), "a cut needs both cut_point_m and cut_normal"));
   EXPECT_TRUE(has(refusal("[[object]]\ncut_point_m = [1, 0, 0]\ncut_normal = [0, 0, 0]"), "cut_normal: found no direction"));
   EXPECT_TRUE(has(refusal("[[object]]\nrange_low = 3\nrange_high = 3"), "allowed: a rising range"));
+  EXPECT_TRUE(has(refusal("[[object]]\nmirrored = \"w\""), "object.0.mirrored: found 'w', allowed: letters x, y and z"));
   EXPECT_TRUE(has(refusal("[camera]\nfit = false"), "fit = false needs eye_m and target_m"));
   EXPECT_TRUE(has(refusal("[camera]\neye_m = [0, 0, 1]"), "need fit = false"));
   EXPECT_TRUE(has(refusal("[camera]\ndirection = [0, 0, 0]"), "camera.direction: found no direction"));
@@ -170,6 +171,60 @@ TEST_F(Pictures, ShowOneMaterialOfAFrame) {
   EXPECT_TRUE(has(refusal(frame), "material: found no particle of number 2"));
   write_mesh(folder / "surface.hdf", splat_surface(read_particles_of_frame(frame)));
   EXPECT_TRUE(has(refusal(folder / "surface.hdf", folder / "two"), "material: has no particles of materials"));
+}
+
+TEST_F(Pictures, PaintedByAFieldSayWhatTheirColoursStandFor) {
+  view.picture.width_px = 320, view.picture.height_px = 240, view.picture.samples = 1;
+  view.objects[0].paint = Paint::field;
+  for (const ParticleShape shape : {ParticleShape::surface, ParticleShape::spheres}) {
+    view.objects[0].particles = shape;
+    Histories histories;
+    const PictureObject object = load_object(folder / "run/frames/0002.hdf", {}, view, view.objects[0], histories, 1);
+    EXPECT_EQ(object.bar, (ColourBar{ColourMap::viridis, 60, 150, "temperature [C]"}));
+    EXPECT_EQ(object.time_s, 2);
+  }
+  view.objects[0].range_high = 200;
+  const Image with = take(folder / "run/frames/0002.hdf");
+  // the bar's ends, in the upper left corner
+  EXPECT_EQ(with.at(16, 10), pixel(map_colour(ColourMap::viridis, 0.5f / 128)));
+  EXPECT_EQ(with.at(143, 10), pixel(map_colour(ColourMap::viridis, 127.5f / 128)));
+  view.picture.colour_bar = false;
+  const Image without = take(folder / "run/frames/0002.hdf");
+  EXPECT_NE(without.at(16, 10), with.at(16, 10));
+  EXPECT_EQ(without.at(300, 200), with.at(300, 200));
+  view.picture.colour_bar = true;
+  view.objects[0].paint = Paint::constant;
+  EXPECT_NE(take(folder / "run/frames/0002.hdf").at(16, 10), with.at(16, 10));
+}
+
+TEST_F(Pictures, OfARunWithoutHeatSayHowToPaintThem) {
+  std::filesystem::create_directories(folder / "cold/frames");
+  write_frame(folder / "cold/frames/0000.hdf", 0, {ball.positions, {{"id", "", ball.ids, 1}, {"volume", "m^3", ball.volumes, 1}}});
+  write_series(folder / "cold/frames.hdf.series", {{"frames/0000.hdf", 0}});
+  EXPECT_TRUE(has(refusal(folder / "cold/frames/0000.hdf"), "a run without heat does not brown: set paint = \"constant\" or \"field\""));
+}
+
+TEST_F(Pictures, CompleteWhatWasRunBetweenMirrors) {
+  Ball quarter = ball;
+  quarter.positions.clear();
+  for (std::size_t i = 0; i < ball.positions.size(); i += 3)
+    if (ball.positions[i] >= 0 && ball.positions[i + 1] >= 0)
+      quarter.positions.insert(quarter.positions.end(), &ball.positions[i], &ball.positions[i] + 3);
+  quarter.volumes.resize(quarter.positions.size() / 3);
+  quarter.ids.resize(quarter.volumes.size());
+  write_run(folder / "quarter", quarter, 1, [](const float*, double) { return State{20, 1}; });
+  const std::filesystem::path frame = folder / "quarter/frames/0000.hdf";
+  Histories histories;
+  const auto lowest = [&](const char* mirrored) {
+    view.objects[0].mirrored = mirrored;
+    Vec3f low = Vec3f::Ones();
+    for (const Vec3f& p : load_object(frame, {}, view, view.objects[0], histories, 1).meshes[0].vertices) low = low.cwiseMin(p);
+    return low;
+  };
+  EXPECT_GT(lowest("").head(2).minCoeff(), -0.02f);
+  EXPECT_LT(lowest("x").x(), -0.09f);
+  EXPECT_GT(lowest("x").y(), -0.02f);
+  EXPECT_LT(lowest("xy").head(2).maxCoeff(), -0.09f);
 }
 
 TEST_F(Pictures, OfWrongFilesAreRefusedInOneLine) {

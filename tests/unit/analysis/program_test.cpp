@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdlib>
 
+#include "solver/io/mesh_file.h"
 #include "tests/unit/analysis/runs.h"
 
 namespace bake {
@@ -43,6 +44,30 @@ TEST_F(RenderProgram, MakesPicturesSlicesSurfacesAndMontages) {
   EXPECT_EQ(call("picture view.toml c.hdf --results run --out d.png --set camera.margin=0.2"), 0) << contents(folder / ".err");
   EXPECT_EQ(call("montage a.png d.png --label one --label two --out e.png"), 0) << contents(folder / ".err");
   for (const char* file : {"a.png", "b.png", "c.hdf", "d.png", "e.png"}) EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
+}
+
+TEST_F(RenderProgram, MakesModelsAndJpegsForAPage) {
+  write_run(folder / "fine", Ball(0.1f, 0.01f), 3, [](const float*, double) { return State{150, 1}; });
+  ASSERT_EQ(call("model view.toml fine --frames 0,2 --out small --triangles 3000 --particles 1000"), 0) << contents(folder / ".err");
+  for (const char* name : {"0000.hdf", "0002.hdf"}) {
+    const Mesh mesh = read_mesh(folder / "small" / (std::string("surface_") + name));
+    EXPECT_GT(mesh.cell_count(), 1500u);
+    EXPECT_LT(mesh.cell_count(), 3000u);
+    EXPECT_TRUE(mesh.find("temperature") && mesh.find("browning"));
+    const FrameReader particles(folder / "small" / (std::string("particles_") + name));
+    EXPECT_NEAR(static_cast<double>(particles.particles()), 1000, 100);
+    EXPECT_TRUE(particles.has("browning"));
+  }
+  const auto ids = [&](const char* name) { return FrameReader(folder / "small" / name).identities(); };
+  EXPECT_EQ(ids("particles_0000.hdf"), ids("particles_0002.hdf")) << "the same ones in all frames";
+  EXPECT_NE(contents(folder / "small/look.json").find("\"skin\":[[0.0,\"edd9ad\"]"), std::string::npos);
+
+  ASSERT_EQ(call("picture view.toml run/frames/0002.hdf --out a.png --size 64x48"), 0) << contents(folder / ".err");
+  ASSERT_EQ(call("jpeg a.png --out a.jpg --width 32"), 0) << contents(folder / ".err");
+  EXPECT_EQ(contents(folder / "a.jpg").substr(0, 3), "\xff\xd8\xff");
+  expect_refused("jpeg a.png --out b.png", "--out: found b.png, allowed: a name that ends in .jpg");
+  expect_refused("jpeg none.png --out b.jpg", "none.png: no such file");
+  expect_refused("model view.toml nowhere --frames 0 --out small", "nowhere");
 }
 
 TEST_F(RenderProgram, ShowsAFrameByAnyFieldWholeOrCutWithoutAView) {

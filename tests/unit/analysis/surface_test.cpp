@@ -112,6 +112,31 @@ TEST(Meshes, BoundaryOfTetrahedraIsClosedAndOutwards) {
   EXPECT_NEAR(volume(skin), 8, 1e-12);
 }
 
+TEST(Meshes, LoseSpecksAndBubblesAndKeepTheirFields) {
+  Mesh mesh = splat_surface(particles_of(Ball(0.1f, 0.01f)));
+  const std::size_t vertices = mesh.vertex_count();
+  const std::vector<std::int64_t> cells = mesh.cells;
+  const auto add = [&](double scale, double shift, bool inside_out) {  // the same ball once more
+    const auto first = static_cast<std::int64_t>(mesh.vertex_count());
+    for (std::size_t i = 0; i < 3 * vertices; ++i) mesh.points.push_back(scale * mesh.points[i] + (i % 3 == 0 ? shift : 0));
+    for (MeshField& field : mesh.fields)
+      for (std::size_t i = 0; i < vertices * field.components; ++i) field.values.push_back(field.values[i]);
+    for (std::size_t c = 0; c < cells.size(); c += 3) {
+      mesh.cells.insert(mesh.cells.end(), {first + cells[c], first + cells[c + 1], first + cells[c + 2]});
+      if (inside_out) std::swap(mesh.cells.back(), mesh.cells[mesh.cells.size() - 2]);
+    }
+  };
+  add(0.05, 1, false);  // a speck of 1.25e-4 of the volume
+  add(0.05, 0, true);   // a bubble
+  add(0.5, 2, false);   // an eighth
+  const Mesh kept = without_specks(mesh, 1e-3);
+  EXPECT_EQ(kept.vertex_count(), 2 * vertices);
+  EXPECT_EQ(kept.cells.size(), 2 * cells.size());
+  EXPECT_NEAR(volume(kept), 1.125 * volume(splat_surface(particles_of(Ball(0.1f, 0.01f)))), 1e-9);
+  EXPECT_EQ(kept.find("height")->values.size(), 2 * vertices);
+  EXPECT_EQ(without_specks(mesh, 1e-5).cells.size(), mesh.cells.size());
+}
+
 TEST(Meshes, CreasesStaySharpAndSlightOnesAreSmoothed) {
   const Mesh skin = boundary_of_tetrahedra(cube());
   for (const auto& corners : corner_normals(skin, 60))

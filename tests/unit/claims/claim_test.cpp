@@ -54,6 +54,35 @@ TEST(AClaim, OfAnOrderHoldsOnlyIfEveryStepDoes) {
   EXPECT_EQ(holds(c, {{"a", k_infinity}, {"b", 2}, {"c", -k_infinity}}), (std::vector{false, false, false}));
 }
 
+TEST(AClaim, TellsTheNumbersThatItIsHeldTo) {
+  const std::map<std::string, double> values{{"a", 3}, {"b", 2}};
+  const auto last = [&](const Claim& c) {
+    const ClaimVerdict v = judge(c, {"1", "x"}, [&](const Claim&, const std::string& of) { return values.at(of); }).back();
+    return std::pair{v.low, v.high};
+  };
+  using Bounds = std::pair<std::optional<double>, std::optional<double>>;
+  Claim c = claim({"a"});
+  c.at_least = 1;
+  EXPECT_EQ(last(c), (Bounds{1, {}}));
+  c.at_most = 4;
+  EXPECT_EQ(last(c), (Bounds{1, 4}));
+  c = claim({"a"});
+  c.expected = 3;
+  c.tolerance = 0.5;
+  EXPECT_EQ(last(c), (Bounds{2.5, 3.5}));
+  c = claim({"a"});
+  c.greater_than = std::string("b");
+  c.factor = 1.25;
+  EXPECT_EQ(last(c), (Bounds{2.5, {}}));
+  c = claim({"a", "b"});
+  c.order = Trend::falling;
+  EXPECT_EQ(last(c), (Bounds{{}, 3}));
+  c.order = Trend::rising;
+  c.says = std::string("they rise");
+  EXPECT_EQ(last(c), (Bounds{3, {}}));
+  EXPECT_EQ(judge(c, {"1", "x"}, [](const Claim&, const std::string&) { return 1.0; }).front().says, "they rise");
+}
+
 /// Every kind of condition; `of` a and b.
 std::vector<Claim> all_conditions() {
   std::vector<Claim> all(7, claim({"a", "b"}));

@@ -57,6 +57,41 @@ TEST_F(RegionMetrics, FindTheShareThatWasHotOfWhatStartedInABox) {
   EXPECT_THROW(measure("heated_share", place), InputError);
 }
 
+TEST_F(RegionMetrics, FindWhatHasComeOutOfACrust) {
+  // twelve pillars around the axis, one in four windows' height each: inside, crust
+  const auto pillars = [](double inside, float peak) {
+    std::vector<Dot> dots;
+    for (int i = 0; i < 12; ++i)
+      for (const double radius : {i == 0 ? inside : 4.0, 5.0})
+        dots.push_back({static_cast<std::int64_t>(dots.size()),
+                        {radius * std::cos(0.07 + 0.5 * i), radius * std::sin(0.07 + 0.5 * i), 1},
+                        20,
+                        radius == 5 ? peak : 20.f});
+    return dots;
+  };
+  frame(0, pillars(4, 95));
+  frame(1, pillars(6, 95));
+  frame(2, pillars(6, 60));
+  MetricPlace place = hot(90);
+  place.time_s = 0;
+  EXPECT_DOUBLE_EQ(measure("oozed_share", place), 0);
+  place.time_s = 1;
+  EXPECT_DOUBLE_EQ(measure("oozed_share", place), 1.0 / 24) << "one has come through";
+  place.time_s = 2;
+  EXPECT_DOUBLE_EQ(measure("oozed_share", place), 1) << "there is no crust";
+}
+
+TEST_F(RegionMetrics, FindTheShareThatWasHotOfWhatWasInABoxLater) {
+  frame(0, {});
+  frame(1, {{1, {0.5, 0.5, 0.5}, 20, 20, 3}, {2, {5, 0, 0}, 20, 20, 1}});
+  frame(3, {{1, {7, 0, 0}, 20, 90, 3}, {2, {0.5, 0.5, 0.5}, 20, 20, 1}});
+  MetricPlace place = unit_box();
+  place.temperature_C = 80;
+  EXPECT_TRUE(std::isnan(measure("heated_share", place))) << "nothing was poured yet";
+  place.reference_time_s = 1;
+  EXPECT_DOUBLE_EQ(measure("heated_share", place), 1);
+}
+
 TEST_F(RegionMetrics, FindHowLongSettingTakesBesideTheTimeUntilItBegins) {
   const auto hot_ones = [](int count) {
     std::vector<Dot> grains;

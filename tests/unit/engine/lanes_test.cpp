@@ -133,5 +133,19 @@ TYPED_TEST(Lanes, ExponentialNearZeroKeepsItsDigits) {
   for (const double size : {1e-6, 1e-3, 0.1, 2.0}) EXPECT_LE(error_in_ulps<TypeParam>(f, exact, -size, size), k_ulps) << size;
 }
 
+TEST(LanesOfDouble, HaveTheirOwnLogarithmAndExponentialNearZero) {
+  std::mt19937_64 random(2019);
+  std::uniform_real_distribution<double> exponent(-300, 0), sign(-1, 1);
+  for (int i = 0; i < 10'000; ++i) {
+    const double x = std::copysign(std::pow(10, exponent(random) / (i % 2 ? 1 : 100)), sign(random)) * 0.99;
+    const double log1p_found = log1p(lanes<double>(x))[0], expm1_found = expm1(lanes<double>(x))[0];
+    ASSERT_NEAR(log1p_found, std::log1p(x), 1e-15 * std::abs(std::log1p(x))) << x;
+    ASSERT_NEAR(expm1_found, std::expm1(x), 1e-15 * std::abs(std::expm1(x))) << x;
+  }
+  EXPECT_EQ(log1p(lanes<double>(0))[0], 0);
+  EXPECT_EQ(expm1(lanes<double>(0))[0], 0);
+  EXPECT_EQ(expm1(lanes<double>(-800))[0], -1);
+}
+
 }  // namespace
 }  // namespace bake

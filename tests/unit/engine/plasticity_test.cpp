@@ -331,6 +331,17 @@ TYPED_TEST(ReturnMapping, NoYieldStressAndNoViscosityIsAFluidWithoutStress) {
   for (int i = 0; i < 6; ++i) EXPECT_NEAR(m.epsilon(i), 0, 0.03 * 1e-11);
 }
 
+TYPED_TEST(ReturnMapping, DoughThatNeverHadPoresIsAnElasticFluidWhenItHasNoStrength) {
+  for (const double sign : {1.0, -1.0}) {
+    double strain[6];
+    for (int i = 0; i < 6; ++i) strain[i] = sign * k_strain[i];
+    Mapped<TypeParam> m("yield_stress_Pa = 0\ninitial_porosity = 1e-7\n", "", strain);
+    EXPECT_NEAR(m.trace_of(), sign * 0.015, TestFixture::k_bound) << "its volume answers to compression and to tension";
+    EXPECT_NEAR(m.shear2(), 0, 1e-12) << "and it resists no shear";
+    EXPECT_EQ(m.J_P(), 1) << "nothing opens";
+  }
+}
+
 /// Yield stress and viscosity at a temperature, after a peak.
 template <class Real>
 std::pair<double, double> curve_at(double theta, double peak) {

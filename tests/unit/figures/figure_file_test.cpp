@@ -113,6 +113,19 @@ TEST_F(FigureFile, RefusesNamesOfNothing) {
   EXPECT_EQ(error_of("name = \"slit\"", "name = \"../slit\""), "figure.toml:7: run.1.name: found '../slit', allowed: a-z, 0-9 and _");
 }
 
+TEST_F(FigureFile, HasObjectsOfRunsWithAPictureThatStandsForThem) {
+  const std::string before = k_figure;
+  const auto with = [&](const std::string& lines) { return before + "[[object]]\nname = \"turning\"\nshows = \"both loaves\"\n" + lines; };
+  const Figure figure = read(with("view = \"side\"\npicture = \"both\"\nof = [\"slit\", \"plain\"]\n").c_str());
+  ASSERT_EQ(figure.objects.size(), 1u);
+  EXPECT_EQ(figure.objects[0].of, (std::vector<std::string>{"slit", "plain"}));
+  EXPECT_FALSE(figure.objects[0].particles);
+  EXPECT_THROW(read(with("view = \"side\"\npicture = \"none\"\nof = \"slit\"\n").c_str()), InputError);
+  EXPECT_THROW(read(with("view = \"none\"\npicture = \"both\"\nof = \"slit\"\n").c_str()), InputError);
+  EXPECT_THROW(read(with("view = \"side\"\npicture = \"both\"\nof = \"torn\"\n").c_str()), InputError) << "a surface is no run";
+  EXPECT_THROW(read(with("view = \"side\"\npicture = \"both\"\nof = []\n").c_str()), InputError);
+}
+
 TEST_F(FigureFile, RefusesClaimsThatCannotBeMeasured) {
   EXPECT_EQ(error_of("metric = \"pieces\"\nof = \"torn\"", "metric = \"pieces\"\nof = \"slit\""),
             "figure.toml:43: claim.1.of: found 'slit', a run, allowed: a surface, of which pieces is measured");
@@ -134,6 +147,19 @@ TEST_F(FigureFile, RefusesChartsOfWhatHasNoTimes) {
             "figure.toml:26: chart.1.temperature_C: missing, allowed: what heated_share needs: temperature_C");
   EXPECT_EQ(error_of("temperature_C = 60", "temperature_C = 60\ntime_s = 2"),
             "figure.toml:31: chart.1.time_s: the chart is drawn over all times");
+}
+
+TEST_F(FigureFile, RefusesChartsOfOneMetricAgainstNone) {
+  const std::string over_time = "metric = \"heated_share\"\ntemperature_C = 60";
+  std::string text = k_figure;
+  text.replace(text.find(over_time), over_time.size(), "metric = \"height\"\nagainst = \"diameter\"");
+  EXPECT_EQ(read(text).charts[1].against, "diameter");
+  EXPECT_EQ(error_of("column = \"volume_m3\"", "column = \"volume_m3\"\nagainst = \"diameter\""),
+            "figure.toml:25: chart.0.against: needs a metric beside it");
+  EXPECT_EQ(error_of(over_time, "metric = \"height\"\nagainst = \"diametre\""),
+            "figure.toml:30: chart.1.against: unknown metric of a run 'diametre'; did you mean 'diameter'?");
+  EXPECT_EQ(error_of(over_time, "metric = \"height\"\nagainst = \"diameter\"\ntime_s = 1"),
+            "figure.toml:31: chart.1.time_s: the chart shows the end");
 }
 
 TEST_F(FigureFile, RefusesClaimsWithoutOneCondition) {

@@ -69,7 +69,7 @@ TEST(BackgroundWriter, WritesFramesAndLedgerWhileItsOwnerMakesTheNextOnes) {
   }
   writer.finish();
   for (int frame = 0; frame < 5; ++frame) {
-    const std::vector<float> expected(x.size(), static_cast<float>(frame + 1));
+    const std::vector<double> expected(x.size(), frame + 1);
     EXPECT_EQ(FrameReader(folder / frame_name(frame)).positions(), expected);
     EXPECT_EQ(read_ledger(folder / "ledger.csv").rows.at(static_cast<std::size_t>(frame)).at(0), frame);
   }

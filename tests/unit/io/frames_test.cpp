@@ -31,17 +31,33 @@ TEST(Frame, ComesBackExactlyWithUnitsAndTime) {
   EXPECT_EQ(in.attribute<double>("VTKHDF", "time_s"), time_s);
 }
 
-TEST(Frame, IsOneVtkCellOverAllParticles) {
+TEST(Frame, KeepsPositionsInDoubleWhereGivenSo) {
+  const TemporaryFolder scratch;
+  const std::vector<double> positions{1e6, 1e6 + 1e-4, -1e6, 1e6, 1e6 + 2e-4, -1e6};
+  write_frame(scratch / "0001.hdf", 0, {positions, {}});
+  EXPECT_EQ(Hdf5Reader(scratch / "0001.hdf").stored_type("VTKHDF/Points"), ElementType::float64);
+  EXPECT_EQ(FrameReader(scratch / "0001.hdf").positions(), positions);
+}
+
+TEST(Frame, NeedsDoubleWhereFloatDoesNotResolveAThousandthOfANodeDistance) {
+  EXPECT_FALSE(stores_double_positions(false, 10, 1e-3));
+  EXPECT_TRUE(stores_double_positions(true, 10, 1e-3));
+  EXPECT_TRUE(stores_double_positions(false, 17, 1e-3));
+  const float before = 16.3f;  // just before the bound the next float is 2^-20 m away
+  EXPECT_LT(std::nextafter(before, 17.0f) - before, 1e-3 * 1e-3 * 2);
+}
+
+TEST(Frame, HasAVtkCellForEachParticle) {
   const TemporaryFolder scratch;
   const std::vector<float> positions(9);
   write_frame(scratch / "0000.hdf", 0, {positions, {}});
   const Hdf5Reader in(scratch / "0000.hdf");
   EXPECT_EQ(in.attribute<std::string>("VTKHDF", "Type"), "UnstructuredGrid");
   EXPECT_EQ(in.array<std::int64_t>("VTKHDF/NumberOfPoints"), (std::vector<std::int64_t>{3}));
-  EXPECT_EQ(in.array<std::int64_t>("VTKHDF/NumberOfCells"), (std::vector<std::int64_t>{1}));
+  EXPECT_EQ(in.array<std::int64_t>("VTKHDF/NumberOfCells"), (std::vector<std::int64_t>{3}));
   EXPECT_EQ(in.array<std::int64_t>("VTKHDF/Connectivity"), (std::vector<std::int64_t>{0, 1, 2}));
-  EXPECT_EQ(in.array<std::int64_t>("VTKHDF/Offsets"), (std::vector<std::int64_t>{0, 3}));
-  EXPECT_EQ(in.array<std::uint8_t>("VTKHDF/Types"), (std::vector<std::uint8_t>{2}));
+  EXPECT_EQ(in.array<std::int64_t>("VTKHDF/Offsets"), (std::vector<std::int64_t>{0, 1, 2, 3}));
+  EXPECT_EQ(in.array<std::uint8_t>("VTKHDF/Types"), (std::vector<std::uint8_t>{1, 1, 1}));
 }
 
 TEST(Frame, MayHaveNoParticles) {
@@ -76,7 +92,7 @@ TEST(FrameReader, FindsEveryParticleWhateverTheOrder) {
   const FrameReader frame(scratch / "0001.hdf");
   EXPECT_EQ(frame.time_s(), 0.5);
   EXPECT_EQ(frame.particles(), 3u);
-  EXPECT_EQ(frame.positions(), positions);
+  EXPECT_EQ(frame.positions(), (std::vector<double>{0, 0, 0, 1, 1, 1, 2, 2, 2}));
   EXPECT_EQ(frame.column("theta"), theta);
   EXPECT_EQ(frame.rows_by_identity(10, 4), (std::vector<std::int64_t>{1, -1, 0, 2}));
   EXPECT_EQ(frame.rows_by_identity(12, 1), (std::vector<std::int64_t>{0}));

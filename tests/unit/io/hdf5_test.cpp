@@ -195,7 +195,7 @@ TEST(Hdf5, RefusesTheSameNameTwice) {
   const std::vector<float> numbers(3);
   out.array<float>("n", numbers);
   const auto message = message_of<OutputError>([&] { out.array<float>("n", numbers); });
-  EXPECT_TRUE(has(message, "f.hdf: n: cannot write: ")) << message;
+  EXPECT_TRUE(has(message, "f.hdf: n: cannot be written")) << message;
 }
 
 TEST(Hdf5, SaysInOneLineWhatCannotBeRead) {
@@ -220,9 +220,9 @@ TEST(Hdf5, SaysWhichFileCannotBeOpened) {
   std::filesystem::resize_file(scratch / "f.hdf", 3000);
   const auto refusal = [&](const char* name) { return message_of<InputError>([&] { Hdf5Reader(scratch / name); }); };
   EXPECT_TRUE(has(refusal("missing.hdf"), "missing.hdf: cannot open: No such file or directory"));
-  EXPECT_TRUE(has(refusal("note.txt"), "note.txt: not an HDF5 file, or cut short: "));
-  EXPECT_TRUE(has(refusal("f.hdf"), "f.hdf: not an HDF5 file, or cut short: "));
-  EXPECT_TRUE(has(refusal("."), "not an HDF5 file, or cut short: "));
+  EXPECT_TRUE(has(refusal("note.txt"), "note.txt: not an HDF5 file, or cut short"));
+  EXPECT_TRUE(has(refusal("f.hdf"), "f.hdf: not an HDF5 file, or cut short"));
+  EXPECT_TRUE(has(refusal("."), "not an HDF5 file, or cut short"));
 }
 
 TEST(Hdf5, PrintsNothingItself) {

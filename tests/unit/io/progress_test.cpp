@@ -134,7 +134,15 @@ TEST(Meter, RedrawsPhasesOnATerminalAndTellsALogOfThoseThatBeginLate) {
   EXPECT_EQ(two_phases(ProgressStyle::quiet), "");
 }
 
-TEST(Meter, ShowsItsShareFiveTimesASecondOnATerminalOnly) {
+TEST(Meter, TellsALogItsShareAndTheTimeLeftEveryTenSeconds) {
+  std::ostringstream out;
+  double now = 100;
+  Meter meter("loaf.png", {out, ProgressStyle::lines, [&] { return now; }, [] { return 80; }});
+  for (int i = 1; i <= 50; ++i) now += 0.5, meter(i / 100.0);
+  EXPECT_EQ(out.str(), "loaf.png   20 %  left 0:40\nloaf.png   40 %  left 0:30\n");
+}
+
+TEST(Meter, ShowsItsShareFiveTimesASecondOnATerminal) {
   for (const auto style : {ProgressStyle::bar, ProgressStyle::lines}) {
     std::ostringstream out;
     double now = 100;

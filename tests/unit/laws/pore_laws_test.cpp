@@ -15,7 +15,7 @@ namespace {
 struct Dough {
   double n_0 = between(0.05, 0.9, "n_0");
   double theta_0 = between(0, 40, "theta_0");
-  double s_0 = between(0.01, 1, "s_0");
+  double s_0 = between(0.01, 1, "s_0 / (1 - n_0)") * (1 - n_0);
   double c_hat = decades(0, 6, "c_hat");
   double rho_w = decades(1, 2.6, "rho_w");
   double expansion = decades(-6, -3, "alpha_l");

@@ -65,5 +65,78 @@ TEST(FillBodies, LeavesVolumesFromAFileAsTheyAre) {
   EXPECT_EQ(weight(fill_bodies(fills.scene())), weight(draft));
 }
 
+/// A scene with an emitter alone, which pours from 0.5 s on, and all that it has poured by `until`.
+struct Pours : Fills {
+  std::string spout, velocity;
+  Scene pouring(double until, Quality quality) {
+    shape = "";
+    tables = "[[emitter]]\nmaterial = \"dough\"\nshape = { " + spout + " }\nvelocity_m_per_s = " + velocity +
+             "\nfrom_s = 0.5\nuntil_s = " + std::to_string(until);
+    Scene poured = scene();
+    poured.quality = quality;
+    return poured;
+  }
+  void expect_volume_flow(const std::string& of, const std::string& at, double flow) {
+    spout = of, velocity = at;
+    for (const Quality quality : {Quality::draft, Quality::standard})
+      for (const double until : {1.0, 1.773, 2.9}) {
+        const Scene poured = pouring(until, quality);
+        EmitterState emitter(poured, poured.emitters[0], 0);
+        double volume = 0;
+        while (emitter.next_time() < k_infinity) volume += weight(emitter.pour());
+        EXPECT_NEAR(volume / (flow * (until - 0.5)), 1, 0.01) << of << " until " << until << " s, dx " << poured.dx();
+      }
+  }
+};
+
+TEST(AnEmitter, PoursTheCrossSectionTimesSpeedTimesTimeAtEveryQuality) {
+  constexpr double pi = std::numbers::pi;
+  Pours pours;
+  pours.expect_volume_flow("box = { half_extents_m = [0.01, 0.02, 0.0041] }", "[0, 0, -0.05]", 0.02 * 0.04 * 0.05);
+  pours.expect_volume_flow("cylinder = { from_m = [0, 0, 0], to_m = [0.02, 0.015, 0], radius_m = 0.011 }", "[0.04, 0.03, 0]",
+                           pi * 0.011 * 0.011 * 0.05);
+  pours.expect_volume_flow(
+      "intersection = [{ cylinder = { from_m = [0, 0, 0], to_m = [0, 0.02, 0], radius_m = 0.017 } }, "
+      "{ half_space = { normal = [0, 0, 1] } }]",
+      "[0, 0.1, 0]", pi / 2 * 0.017 * 0.017 * 0.1);
+}
+
+TEST(AnEmitter, PushesDoughOutAtItsRearEndAndLeavesNoGapsInIt) {
+  Pours pours;
+  pours.spout = "box = { centre_m = [0, 0, 0.01], half_extents_m = [0.02, 0.02, 0.011] }", pours.velocity = "[0, 0, -0.02]";
+  const Scene poured = pours.pouring(3, Quality::draft);
+  EmitterState emitter(poured, poured.emitters[0], 0);
+  EXPECT_GT(emitter.next_time(), 0.5) << "at the start nothing is there yet";
+  std::vector<double> below(5, 0);  // per centimetre, when pouring ends after 5 cm, had nothing stopped the dough
+  while (emitter.next_time() < k_infinity) {
+    const double time = emitter.next_time(), poured_length = 0.02 * (time - 0.5);
+    for (const NewParticle& p : emitter.pour()) {
+      EXPECT_LE(p.x[2], 0.021);
+      EXPECT_GT(p.x[2], 0.021 - std::min(poured_length, 2 * poured.dx()));
+      const double depth = 0.021 - (p.x[2] - 0.02 * (3 - time));
+      below.at(static_cast<std::size_t>(depth / 0.01)) += p.volume;
+    }
+  }
+  for (const double volume : below) EXPECT_NEAR(volume / (0.04 * 0.04 * 0.01), 1, 0.05);
+}
+
+TEST(AnEmitter, PoursOtherParticlesEachTimeAndTheSameAfterAResume) {
+  Pours pours;
+  pours.spout = "box = { half_extents_m = [0.02, 0.02, 0.01] }", pours.velocity = "[0, 0, -0.02]";
+  const Scene poured = pours.pouring(5, Quality::draft);
+  EmitterState emitter(poured, poured.emitters[0], 0), resumed(poured, poured.emitters[0], 0);
+  std::vector<std::vector<NewParticle>> slices;
+  while (emitter.next_time() < k_infinity) slices.push_back(emitter.pour());
+  constexpr std::size_t k_later = 20;
+  ASSERT_GT(slices.size(), k_later);
+  resumed.skip_to(k_later);
+  const auto again = resumed.pour();
+  ASSERT_EQ(again.size(), slices[k_later].size());
+  for (std::size_t i = 0; i < again.size(); ++i) EXPECT_EQ(again[i].x, slices[k_later][i].x);
+  for (std::size_t k = 1; k < slices.size(); ++k)
+    for (std::size_t i = 0; i < std::min(slices[k].size(), slices[0].size()); ++i)
+      EXPECT_NE(slices[k][i].x[0], slices[0][i].x[0]) << "would follow on the same path";
+}
+
 }  // namespace
 }  // namespace bake

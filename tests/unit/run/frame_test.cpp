@@ -2,6 +2,9 @@
 // A frame holds what the particles are when it is taken.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <set>
+
 #include "solver/run/simulation.h"
 #include "solver/scene/scene_builder.h"
 
@@ -49,10 +52,26 @@ TEST(FrameOfASimulation, HasAllParticlesThatAreThereByIdentity) {
     EXPECT_EQ(column<float>(frame, "saturation")[i], static_cast<float>(now["water_mass"][i] / (rho_w[material] * volume)));
     EXPECT_EQ(column<float>(frame, "temperature")[i], static_cast<float>(now["temperature"][i]));
     for (std::size_t d = 0; d < 3; ++d) {
-      EXPECT_EQ(frame.positions[3 * i + d], static_cast<float>(now.position[i][d]));
+      EXPECT_EQ(std::get<std::vector<float>>(frame.positions)[3 * i + d], static_cast<float>(now.position[i][d]));
       EXPECT_EQ(column<float>(frame, "velocity")[3 * i + d], static_cast<float>(now.velocity[i][d]));
     }
   }
+}
+
+TEST(FrameOfASimulation, TellsParticlesApartFarFromTheOrigin) {
+  SceneBuilder builder;
+  builder.effects = "motion, elasticity";
+  builder.precision = "single";
+  builder.dx = 1e-3;
+  builder.low = {99'999.9, -0.1, -0.1}, builder.high = {100'000.1, 0.1, 0.1};
+  builder.material = "density_kg_per_m3 = 1000\nyoung_modulus_Pa = 1e4\npoisson_ratio = 0.3\n";
+  builder.shape = "box = { centre_m = [1e5, 0, 0], half_extents_m = [0.004, 0.004, 0.004] }";
+  const FrameData frame = Simulation::begin(builder.scene())->frame();
+  const auto& positions = std::get<std::vector<double>>(frame.positions);
+  ASSERT_EQ(positions.size(), 3u * 4096);
+  std::set<std::array<double, 3>> places;
+  for (std::size_t i = 0; i < positions.size(); i += 3) places.insert({positions[i], positions[i + 1], positions[i + 2]});
+  EXPECT_EQ(places.size(), 4096u);
 }
 
 }  // namespace

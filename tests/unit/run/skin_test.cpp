@@ -25,7 +25,7 @@ SceneBuilder fruit(const std::string& skin = "") {
       "density_kg_per_m3 = 1000\nyoung_modulus_Pa = 2e4\ninitial_saturation = 0.8\npressure_Pa = 8e4\ndiffusivity_m2_per_sK = 1e-3\n"
       "evaporation_kg_per_m2sK = 5\n";
   builder.shape = "sphere = { radius_m = 0.3 }";
-  builder.tables = "[[skin]]\nyoung_modulus_Pa = 1e6\nthickness_m = 0.02\n" + skin;
+  builder.tables = "[[skin]]\nyoung_modulus_Pa = 1e6\nthickness_m = 0.025\n" + skin;
   return builder;
 }
 

@@ -120,6 +120,11 @@ TEST(SceneError, MaterialTemperaturesMustRise) {
             "bread.toml:12: material.dough.temperatures_C.2: found 20 after 20, allowed: rising numbers");
 }
 
+TEST(SceneError, ATransitionNeedsARangeOfTemperatures) {
+  EXPECT_EQ(error_of(k_least + k_dough + "transition_heat_J_per_kg = 5\ntransition_from_C = 30\ntransition_to_C = 30\n"),
+            "bread.toml:14: material.dough.transition_to_C: found 30 after 30, allowed: rising numbers");
+}
+
 TEST(SceneError, OneNumberCannotBeFourRisingTemperatures) {
   EXPECT_EQ(error_of(k_least + k_dough + "temperatures_C = 20\n"),
             "bread.toml:12: material.dough.temperatures_C: found 20 after 20, allowed: rising numbers");
@@ -134,6 +139,15 @@ TEST(SceneError, MaterialsMustHoldMoreThanTheirWater) {
   EXPECT_EQ(error_of("effects = [\"water\"]\n" + k_least + k_dough + "initial_saturation = 0.5\n"),
             "bread.toml:13: material.dough.initial_saturation: found 500 kg/m^3 of water in a mixture of 500 kg/m^3, "
             "allowed: less water than mixture");
+}
+
+TEST(SceneError, WaterAndGasMustNotFillMoreThanTheVolume) {
+  EXPECT_EQ(error_of("effects = [\"water\"]\n" + k_least + k_dough + "initial_porosity = 0.7\ninitial_saturation = 0.4\n"),
+            "bread.toml:14: material.dough.initial_saturation: found 0.4 of the volume water and 0.7 gas (initial_porosity), "
+            "allowed: together at most 1");
+  EXPECT_EQ(error_of(k_least + k_dough + "initial_porosity = 0.7\n[[body]]\nmaterial = \"dough\"\nsaturation = 0.5\n" + k_ball),
+            "bread.toml:15: body.0.saturation: found 0.5 of the volume water and 0.7 gas (the material's initial_porosity), "
+            "allowed: together at most 1");
 }
 
 TEST(SceneError, BodyNeedsAKnownMaterial) {
