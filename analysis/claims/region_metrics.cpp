@@ -64,32 +64,49 @@ double heating_window(const Results& run, const MetricPlace& at) {
   return (time_of_share(times, shares, 0.9) - first) / first;
 }
 
-/// Looks at the body from its side, through windows as wide and high as two particles: where one that has not been hot is in front of all
-/// in its window that have, the inside has come through the crust.
+constexpr double k_broken = 0.9;  ///< share of its fracture energy after which dough counts as broken: a third of its strength is left
+
+/// For each particle whether it is crust: has it been at temperature_C, and has it not broken since?
+std::vector<bool> whole_crust(const CheckedFrame& frame, const MetricPlace& at) {
+  const auto peak = frame.column("peak_temperature");
+  const auto broken = frame.has("broken") ? frame.column("broken") : std::vector<float>(peak.size(), 0);
+  std::vector<bool> crust;
+  for (std::size_t row = 0; row < peak.size(); ++row)
+    crust.push_back(static_cast<double>(peak[row]) >= *at.temperature_C && static_cast<double>(broken[row]) < k_broken);
+  return crust;
+}
+
+double broken_share(const Results& run, const MetricPlace& at) {
+  const CheckedFrame frame = run.frame(run.frame_at(at.time_s));
+  const auto peak = frame.column("peak_temperature");
+  const auto whole = whole_crust(frame, at);
+  return volume_share(
+      frame, [&](std::size_t row) { return static_cast<double>(peak[row]) >= *at.temperature_C; },
+      [&](std::size_t row) { return !whole[row]; });
+}
+
+/// Looks at the body from its side, through windows as wide and high as two particles: what has not been hot and is in front of all crust
+/// in its window has come through it.
 double oozed_share(const Results& run, const MetricPlace& at) {
   constexpr double k_window = 2;
   const CheckedFrame frame = run.frame(run.frame_at(at.time_s));
   const auto positions = frame.positions(), volumes = frame.column("volume"), peak = frame.column("peak_temperature");
+  const auto crust = whole_crust(frame, at);
   const double all = std::accumulate(volumes.begin(), volumes.end(), 0.0),
                width = k_window * std::cbrt(all / static_cast<double>(volumes.size()));
   std::vector<double> radius;
+  for (std::size_t row = 0; row < volumes.size(); ++row) radius.push_back(std::hypot(positions[3 * row], positions[3 * row + 1]));
+  const double angle = width / *std::max_element(radius.begin(), radius.end());
   std::vector<std::pair<long, long>> window;
-  double widest = 0;
+  std::map<std::pair<long, long>, double> reach;  // of the crust
   for (std::size_t row = 0; row < volumes.size(); ++row) {
-    const Vector3 x = position(positions, row) - at.point_m.value_or(Vector3{0, 0, 0});
-    radius.push_back(std::hypot(x[0], x[1]));
-    widest = std::max(widest, radius.back());
-    window.emplace_back(0, std::lround(std::floor(x[2] / width)));
+    const Vector3 x = position(positions, row);
+    window.emplace_back(std::lround(std::floor(std::atan2(x[1], x[0]) / angle)), std::lround(std::floor(x[2] / width)));
+    if (crust[row]) reach[window[row]] = std::max(reach[window[row]], radius[row]);
   }
-  const double angle = width / widest;
-  std::map<std::pair<long, long>, double> crust;  // how far out it reaches
-  for (std::size_t row = 0; row < volumes.size(); ++row) {
-    const Vector3 x = position(positions, row) - at.point_m.value_or(Vector3{0, 0, 0});
-    window[row].first = std::lround(std::floor(std::atan2(x[1], x[0]) / angle));
-    double& reach = crust[window[row]];
-    if (static_cast<double>(peak[row]) >= *at.temperature_C) reach = std::max(reach, radius[row]);
-  }
-  return volume_share(frame, [&](std::size_t row) { return radius[row] > crust[window[row]]; });
+  return volume_share(frame, [&](std::size_t row) {
+    return static_cast<double>(peak[row]) < *at.temperature_C && radius[row] > std::max(reach[window[row]], at.radius_m.value_or(0));
+  });
 }
 
 /// The yield stress of fig. 8 of each particle, over that at its material's start temperature.
@@ -168,16 +185,23 @@ std::vector<Metric> region_metrics() {
        heating_window,
        nullptr,
        {"temperature_C"}},
+      {"broken_share",
+       "1",
+       fraction,
+       "share of the volume that has been at temperature_C, the crust, which has broken",
+       broken_share,
+       nullptr,
+       {"temperature_C"},
+       {"time_s"}},
       {"oozed_share",
        "1",
        fraction,
-       "share of the volume that has not been at temperature_C and is farther from the upright axis through point_m (0 unless given) than "
-       "all "
-       "that has, in the same direction and at the same height: what has come out of a crust",
+       "share of the volume that has not been at temperature_C and is farther from the z axis than radius_m (0 unless given) and than all "
+       "whole crust, which has, in the same direction and at the same height: what has come through the crust",
        oozed_share,
        nullptr,
        {"temperature_C"},
-       {"point_m", "time_s"}},
+       {"radius_m", "time_s"}},
       {"softened_share",
        "1",
        fraction,

@@ -26,6 +26,7 @@ class CheckedFrame {
   std::vector<double> positions() const;  ///< x, y, z of each particle [m]
   /// A column with one number per particle. Throws InputError if there is none of that name.
   std::vector<float> column(const std::string& name) const;
+  bool has(const std::string& name) const { return reader_.has(name); }
   std::vector<std::int64_t> identities() const { return reader_.identities(); }
   /// Row of each particle first, first + 1, ..., first + count - 1; -1 for those that are not in the frame.
   std::vector<std::int64_t> rows_by_identity(std::int64_t first, std::size_t count) const { return reader_.rows_by_identity(first, count); }

@@ -18,7 +18,7 @@ constexpr std::size_t k_keys = (0 + ... + std::tuple_size_v<decltype(Structs::pa
 static_assert(
     k_keys<DomainSettings, GridSettings, SurfaceSettings, Oven, Material, Body, Collider, Grip, Emitter, Skin> == 68 &&
         k_keys<Motion::Settings, Heat::Settings, Water::Settings, Elasticity::Settings, Plasticity::Settings, Leavening::Settings> == 19 &&
-        k_keys<Heat::Material, Water::Material, Elasticity::Material, Plasticity::Material, Leavening::Material> == 19,
+        k_keys<Heat::Material, Water::Material, Elasticity::Material, Plasticity::Material, Leavening::Material> == 20,
     "scenes have another number of keys: hand the new one to the textbook or refuse it here, so that it is not left out silently");
 
 void refuse_unknown_effects(const Scene& scene) {
@@ -97,10 +97,18 @@ bool present(const Thing& thing, double time_s) {
   return time_s >= thing.from_s && time_s < thing.until_s;
 }
 
+void refuse_fracture(const Scene& scene) {
+  for (const Material& m : scene.materials)
+    if (const double energy = of<Plasticity>(m).fracture_energy_J_per_m2; energy < k_infinity)
+      throw InputError(fmt::format("{}: material {}: fracture_energy_J_per_m2: found {:g}, allowed: inf, which the textbook knows",
+                                   scene.file.string(), m.name, energy));
+}
+
 }  // namespace
 
 textbook::Recipe recipe_of(const Scene& scene) {
   refuse_unknown_effects(scene);
+  refuse_fracture(scene);
   textbook::Recipe r;
   r.motion = scene.lists(Motion::name);
   r.heat = scene.lists(Heat::name);

@@ -38,6 +38,9 @@ BAKE_FIELD(tau, KirchhoffStress, 6, "kirchhoff_stress", "Pa", "tau_p = J sigma: 
 BAKE_FIELD(b_E, ElasticStrain, 6, "elastic_strain", "1", "b_E - I: elastic left Cauchy-Green strain less the identity [Ding19 Sec. 5.2]");
 BAKE_FIELD(epsilon, HenckyStrain, 6, "hencky_strain", "1", "epsilon = 1/2 log b_E: elastic Hencky strain [Ding19 Sec. 5.2]");
 BAKE_FIELD(J_P, PlasticVolumeRatio, 1, "plastic_volume_ratio", "1", "J_P: plastic part of J [Ding19 Sec. 5.3]");
+BAKE_FIELD(broken, Broken, 1, "broken", "1",
+           "d: share of its fracture energy that set dough has spent, from 0, whole, to 1, without strength");
+BAKE_FIELD(plastic_work, PlasticWork, 1, "plastic_work", "J/m^3", "w: plastic work of the step, per initial volume");
 BAKE_FIELD(plastic_dilation, PlasticDilation, 1, "plastic_dilation", "1/s", "d ln J_P / dt: rate at which volume flows");
 BAKE_FIELD(theta, Temperature, 1, "temperature", "C", "theta_p: temperature [Ding19 Eq. 9, 21]");
 BAKE_FIELD(theta_peak, PeakTemperature, 1, "peak_temperature", "C", "highest temperature so far, since gelatinisation is not undone");

@@ -43,6 +43,7 @@ struct Plasticity : Effect {
     std::array<double, 4> temperatures_C = {4, 20, 45, 85};
     std::array<double, 4> yield_stress_Pa = {0, 0, 0, 0};
     std::array<double, 4> viscosity_Pa_s = {0, 0, 0, 0};
+    double fracture_energy_J_per_m2 = k_infinity;
     static constexpr auto parameters() {
       return std::tuple{
           Parameter{"temperatures_C", &Material::temperatures_C, "C", above_absolute_zero,
@@ -56,6 +57,8 @@ struct Plasticity : Effect {
               "viscosity_Pa_s", &Material::viscosity_Pa_s, "Pa s", non_negative,
               "eta at theta_1..theta_4, of pulling along one axis (that of shear is eta / 3); Pa^3 s with norm = \"quadratic\"; one number "
               "means constant"},
+          Parameter{"fracture_energy_J_per_m2", &Material::fracture_energy_J_per_m2, "J/m^2", positive_or_infinite,
+                    "G_f: work that parts set dough (past theta_4), per area of the crack; inf is the paper's, which never breaks"},
       };
     }
   };
@@ -245,12 +248,14 @@ struct Plasticity : Effect {
     const V stressed = tr - free, p_tr = -k.bulk * stressed, shear2 = norm_squared(d), q2 = (6 * k.mu * k.mu) * shear2;
     V tau_y, eta;
     curves<V>(p.temperature(), p.peak_temperature(), k, tau_y, eta);
+    if constexpr (P::template has<field::Broken>) tau_y *= sqrt(1 - p[field::broken]);
     const V n = porosity<V>(p[field::J_P], k);
     // without pores there is nothing to compact, and where there were none at the start, nothing to open: von Mises' law, both ways
     const V a = k.never_porous ? 0 * n : ((n <= Real(k_no_pores)) & (p_tr > 0)) ? 0 * n : cap<V>(n);
     const V ap2 = a * p_tr * p_tr;
     const auto flowing = ap2 + q2 > tau_y * tau_y;
     p[field::plastic_dilation] = 0 * tr;
+    if constexpr (P::template has<field::PlasticWork>) p[field::plastic_work] = 0 * tr;
     if (!any(flowing)) return;
 
     const V z = solve<V>(ap2, q2, a * k.bulk, 3 * k.mu, tau_y, eta * (1 / step.dt), flowing, k.quadratic);
@@ -266,7 +271,9 @@ struct Plasticity : Effect {
       p[field::b_E][i] = flowing ? b.at[i] : p[field::b_E][i];
     }
     // tau_new : (eps_tr - eps_new), never negative
-    report.book(booked::dissipated, p[field::V_0] * (k.bulk * stressed * pa * flown + 2 * k.mu * qa * (1 - qa) * shear2));
+    const V work = k.bulk * stressed * pa * flown + 2 * k.mu * qa * (1 - qa) * shear2;
+    if constexpr (P::template has<field::PlasticWork>) p[field::plastic_work] = flowing ? work : 0 * tr;
+    report.book(booked::dissipated, p[field::V_0] * work);
   }
 
   static void show(auto& frame) {

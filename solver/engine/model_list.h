@@ -32,6 +32,9 @@ using Compositions = std::tuple<
     Composition<Motion, FreeSurface, Heat, Water, MovingWater, Elasticity, Plasticity>,             //
     Composition<Motion, FreeSurface, Heat, Elasticity, Plasticity, Leavening>,                      //
     Composition<Motion, FreeSurface, Heat, Water, MovingWater, Elasticity, Plasticity, Leavening>,  //
+    // set dough that breaks
+    Composition<Motion, Elasticity, Plasticity, Brittleness>,                     //
+    Composition<Motion, FreeSurface, Heat, Elasticity, Plasticity, Brittleness>,  //
     // with FLIP, for studies of transfers
     Composition<Motion, FlipMemory, Elasticity>,              //
     Composition<Motion, FlipMemory, Elasticity, Plasticity>,  //

@@ -68,15 +68,21 @@ class NotationTable {
   std::string text_;
 };
 
-/// Calls visit for what every model has, for all effects and for the parts that they imply.
+/// Calls visit for all effects and for the parts that they imply.
 template <class Visit>
-void for_each_part(Visit visit) {
-  visit.template operator()<Common>();
+void for_each_effect_and_part(Visit visit) {
   for_each_effect(visit);
   const auto implied = [&]<class E>(E*) {
     if constexpr (Implied<E>) visit.template operator()<E>();
   };
   [&]<class... E>(std::tuple<E...>*) { (implied(static_cast<E*>(nullptr)), ...); }(static_cast<ComposedEffects*>(nullptr));
+}
+
+/// The same, and what every model has.
+template <class Visit>
+void for_each_part(Visit visit) {
+  visit.template operator()<Common>();
+  for_each_effect_and_part(visit);
 }
 
 }  // namespace
@@ -86,7 +92,7 @@ std::vector<FrameColumnWords> frame_columns() {
                                     {"material", "1", "number of its [[material]] in the scene, from 0", ""}};
   ShownWords common{all, ""};
   Common::show(common);
-  for_each_effect([&]<class E>() {
+  for_each_effect_and_part([&]<class E>() {
     ShownWords words{all, E::name};
     BAKE_CALL(E, show, words);
   });

@@ -253,7 +253,7 @@ class SimulationOf final : public Simulation {
   double event_after(double time) const {
     double next = engine_.next_event(time);
     for (const auto& emitter : emitters_)
-      if (emitter->next_time() > time) next = std::min(next, emitter->next_time());
+      if (emitter->next_time() > time * (1 + k_rounding)) next = std::min(next, emitter->next_time());
     return next;
   }
   void pour_due() {

@@ -22,6 +22,18 @@ TEST(RecipeOf, AnEffectThatTheTextbookDoesNotKnowIsRefused) {
             "dough.toml: effects: found yeast, allowed: what the textbook knows: motion, heat, water, elasticity, plasticity, leavening");
 }
 
+TEST(RecipeOf, AFractureEnergyIsRefused) {
+  Scene scene;
+  scene.file = "dough.toml";
+  scene.grid.dx_m = 0.1;
+  scene.effects = effect_names();
+  scene.materials.emplace_back();
+  scene.materials[0].name = "crust";
+  scene.materials[0].effects.get<Plasticity::Material>().fracture_energy_J_per_m2 = 6;
+  EXPECT_EQ(message_of<InputError>([&] { recipe_of(scene); }),
+            "dough.toml: material crust: fracture_energy_J_per_m2: found 6, allowed: inf, which the textbook knows");
+}
+
 constexpr Kernel k_kernels[] = {Kernel::quadratic, Kernel::cubic};
 constexpr Gradient k_gradients[] = {Gradient::moments, Gradient::spline};
 

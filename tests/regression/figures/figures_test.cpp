@@ -136,8 +136,20 @@ TEST(Figures9And10, GrapesDryFromOutsideAndTheirSkinsFold) {
 
 TEST(Figure11, BatterIsPouredCooksFromBelowAndIsFlippedInOnePiece) {
   const Made figure(11, "pancake");
-  check_claims(figure, {}, 14);
+  check_claims(figure, {}, 13);
   check_pictures(figure, "fig11_pancake");
+}
+
+TEST(Figure18, ARawMarshmallowSpringsBackAndOneWithACrustBreaksAndOozes) {
+  const Made figure(18, "marshmallow");
+  check_claims(figure, {}, 11);
+  check_pictures(figure, "fig18_marshmallow");
+}
+
+TEST(Figure5, AMarshmallowSwellsCrustsAndFlowsOutBetweenCrackers) {
+  const Made figure(5, "smore");
+  check_claims(figure, {}, 7);
+  check_pictures(figure, "fig05_smore");
 }
 
 TEST(Figure15, LoavesExpandAndSlitsOpenButTheTopDoesNotCrack) {

@@ -77,6 +77,9 @@ TEST_F(RegionMetrics, FindWhatHasComeOutOfACrust) {
   EXPECT_DOUBLE_EQ(measure("oozed_share", place), 0);
   place.time_s = 1;
   EXPECT_DOUBLE_EQ(measure("oozed_share", place), 1.0 / 24) << "one has come through";
+  place.radius_m = 6.5;
+  EXPECT_DOUBLE_EQ(measure("oozed_share", place), 0) << "but not as far as that";
+  place.radius_m.reset();
   place.time_s = 2;
   EXPECT_DOUBLE_EQ(measure("oozed_share", place), 1) << "there is no crust";
 }
@@ -90,6 +93,16 @@ TEST_F(RegionMetrics, FindTheShareThatWasHotOfWhatWasInABoxLater) {
   EXPECT_TRUE(std::isnan(measure("heated_share", place))) << "nothing was poured yet";
   place.reference_time_s = 1;
   EXPECT_DOUBLE_EQ(measure("heated_share", place), 1);
+}
+
+TEST_F(RegionMetrics, FindHowMuchCrustHasBrokenAndWhatItNoLongerHolds) {
+  frame(3, {{1, {4, 0.1, 0.1}, 20, 20, 2},
+            {2, {5, 0.1, 0.1}, 20, 95, 1, 1, 0, 1},
+            {3, {-4, 0.1, 0.1}, 20, 20, 2},
+            {4, {-5, 0.1, 0.1}, 20, 95, 3, 1, 0, 0.5f}});
+  EXPECT_DOUBLE_EQ(measure("broken_share", hot(90)), 0.25) << "of the crust";
+  EXPECT_DOUBLE_EQ(measure("oozed_share", hot(90)), 0.25) << "of all: what is behind crust that holds has not come out";
+  EXPECT_TRUE(std::isnan(measure("broken_share", hot(99)))) << "there is no crust";
 }
 
 TEST_F(RegionMetrics, FindHowLongSettingTakesBesideTheTimeUntilItBegins) {

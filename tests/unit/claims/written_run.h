@@ -15,12 +15,13 @@
 
 namespace bake {
 
-/// A particle of a frame: where, how hot now and ever, how large, how wet, of which material.
+/// A particle of a frame: where, how hot now and ever, how large, how wet, of which material, how broken.
 struct Dot {
   std::int64_t id;
   Vector3 at;
   float temperature = 20, peak = 20, volume = 1, water = 1;
   std::int64_t material = 0;
+  float broken = 0;
 };
 
 class WrittenRun : public testing::Test {
@@ -31,7 +32,7 @@ class WrittenRun : public testing::Test {
     std::ofstream(folder_ / "ledger.csv") << ledger;
   }
   void frame(int number, const std::vector<Dot>& dots) const {
-    std::vector<float> places, temperature, peak, volume, water;
+    std::vector<float> places, temperature, peak, volume, water, broken;
     std::vector<std::int64_t> ids, material;
     for (const Dot& dot : dots) {
       for (const double x : dot.at) places.push_back(static_cast<float>(x));
@@ -39,6 +40,7 @@ class WrittenRun : public testing::Test {
       peak.push_back(dot.peak);
       volume.push_back(dot.volume);
       water.push_back(dot.water);
+      broken.push_back(dot.broken);
       material.push_back(dot.material);
       ids.push_back(dot.id);
     }
@@ -48,6 +50,7 @@ class WrittenRun : public testing::Test {
                   {"peak_temperature", "C", peak},
                   {"volume", "m^3", volume},
                   {"water_mass", "kg", water},
+                  {"broken", "1", broken},
                   {"material", "1", material},
                   {"id", "1", ids}}});
   }

@@ -198,6 +198,8 @@ TEST(SceneError, EmitterMustPour) {
   EXPECT_EQ(error_of(emitter + "velocity_m_per_s = [0, 0.0, 0]\n"),
             "bread.toml:15: emitter.0.velocity_m_per_s: found [0, 0, 0], allowed: a velocity that is not zero");
   EXPECT_EQ(error_of(emitter), "bread.toml:12: emitter.0.velocity_m_per_s: missing, allowed: [x, y, z], each any finite number");
+  EXPECT_NE(error_of(emitter + "velocity_m_per_s = [0, 0, 1]\nfrom_s = -1\n").find("emitter.0.from_s: found -1, allowed: 0 or later"),
+            std::string::npos);
   EXPECT_NE(error_of(emitter + "velocity_m_per_s = [0, 0, 1]\nuntil_s = -1\n").find("emitter.0.until_s: found from_s = 0"),
             std::string::npos);
 }

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Set dough with a fracture energy: what it costs to break it.
+#include <gtest/gtest.h>
+
+#include "tests/conservation/dough.h"
+
+namespace bake {
+namespace {
+
+constexpr double k_energy = 2.75;  // [J/m^2]
+
+/// A bar 0.2 m long and two cells thick (its mirror images included), with a flaw one cell wide; two grips move by `pull` in 0.8 s.
+Dough bar(double dx, double pull, double theta_4 = 4) {
+  Dough dough;
+  dough.effects = "motion, elasticity, plasticity";
+  dough.dx = dx;
+  dough.low = {-0.24, 0, 0}, dough.high = {0.24, 6 * dx, 6 * dx};
+  dough.faces = "y_min = \"slip\"\nz_min = \"slip\"";
+  dough.heat = "", dough.leavening = "";
+  const auto material = [&](double yield_stress_Pa) {
+    return fmt::format(
+        "density_kg_per_m3 = 500\nyoung_modulus_Pa = 4e4\ninitial_porosity = 0.01\ninitial_temperature_C = 20\n"
+        "temperatures_C = [1, 2, 3, {}]\nyield_stress_Pa = {}\nfracture_energy_J_per_m2 = {}\n",
+        theta_4, yield_stress_Pa, k_energy);
+  };
+  const auto box = [&](double half_length) {
+    return fmt::format("box = {{ centre_m = [0, {0}, {0}], half_extents_m = [{1}, {0}, {0}] }}", dx / 2, half_length);
+  };
+  dough.material = material(1000);
+  dough.shape = fmt::format("difference = [ {{ {} }}, {{ {} }} ]", box(0.1), box(dx / 2));
+  dough.tables = "[[material]]\nname = \"flaw\"\n" + material(900);
+  dough.tables += fmt::format("[[body]]\nmaterial = \"flaw\"\nparticles_per_cell = 8\nshape = {{ {} }}\n", box(dx / 2));
+  for (const int side : {-1, 1})
+    dough.tables += fmt::format(
+        "[[grip]]\nshape = {{ box = {{ centre_m = [{}, 0, 0], half_extents_m = [0.04, 0.3, 0.3] }} }}\n"
+        "motion = [{{ time_s = 0 }}, {{ time_s = 0.8, position_m = [{}, 0, 0] }}]\n",
+        side * 0.1, side * pull);
+  return dough;
+}
+
+double most_broken(const Simulation& s) {
+  const Snapshot now = s.snapshot();
+  const std::vector<double>& broken = now["broken"];
+  return *std::max_element(broken.begin(), broken.end());
+}
+
+TEST(ABrittleBar, PartsForItsFractureEnergyWhateverTheGrid) {
+  for (const double dx : {0.02, 0.01, 0.005}) {
+    const auto s = bar(dx, 0.012).begin();
+    s->advance(0.8, 1);
+    EXPECT_EQ(most_broken(*s), 1);
+    EXPECT_NEAR(s->amount(Simulation::Sum::booked, "dissipated", 0) / (dx * dx) / k_energy, 1, 0.06) << dx;
+  }
+}
+
+TEST(ABrittleBar, DoesNotBreakBeforeItHasSetNorWhenItIsPressed) {
+  for (const auto& [pull, theta_4] : {std::pair(0.012, 40.), std::pair(-0.002, 4.)}) {
+    const auto s = bar(0.01, pull, theta_4).begin();
+    s->advance(0.8, 1);
+    EXPECT_LT(most_broken(*s), 0.01);
+    EXPECT_GT(s->amount(Simulation::Sum::booked, "dissipated", 0), 0) << "else nothing was tested";
+  }
+}
+
+}  // namespace
+}  // namespace bake
