@@ -9,6 +9,7 @@
 #include "analysis/claims/finite.h"
 #include "analysis/claims/metric.h"
 #include "solver/io/mesh_file.h"
+#include "solver/scene/settings.h"
 
 namespace bake {
 namespace {
@@ -107,10 +108,19 @@ class Flesh {
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> boxes_;
 };
 
+/// The distance of grid nodes of a run; its scene states that of paper quality.
+double dx_of(const Results& run) {
+  const auto& scene = run.description().at("scene");
+  const auto quality = scene.at("quality").get<std::string>();
+  for (const Quality known : {Quality::draft, Quality::standard, Quality::paper})
+    if (quality == word_of(known)) return scene.at("grid").at("dx_m").get<double>() * coarsening(known);
+  throw InputError(fmt::format("{}: found quality '{}', allowed: draft, standard, paper", run.folder().string(), quality));
+}
+
 double skin_off_flesh(const Results& run, const MetricPlace& at) {
   const int frame = run.frame_at(at.time_s);
   const Mesh skin = skin_at(run, frame);
-  const Flesh flesh(run.frame(frame).positions(), run.description().at("/scene/grid/dx_m"_json_pointer).get<double>());
+  const Flesh flesh(run.frame(frame).positions(), dx_of(run));
   std::size_t off = 0;
   for (std::size_t v = 0; v < skin.vertex_count(); ++v)
     off += !flesh.is_near({skin.points[3 * v], skin.points[3 * v + 1], skin.points[3 * v + 2]});

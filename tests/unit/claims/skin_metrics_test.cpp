@@ -17,7 +17,7 @@ namespace {
 class SkinMetrics : public WrittenRun {
  protected:
   SkinMetrics()
-      : WrittenRun(R"({"summary": {"state": "done"}, "scene": {"grid": {"dx_m": 0.5}}})",
+      : WrittenRun(R"({"summary": {"state": "done"}, "scene": {"quality": "draft", "grid": {"dx_m": 0.125}}})",
                    "time_s,water_mass_kg,volume_m3,skin_area_m2,height_m\n0,16,8,6,1\n1,8,6,6,1\n2,4,4,5,1\n3,2,2,5,2\n4,0.5,1,4.5,1.5\n") {
     std::filesystem::create_directories(folder_ / "skins");
   }
