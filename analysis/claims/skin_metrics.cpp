@@ -83,7 +83,7 @@ double fold_onset(const Results& run, const MetricPlace&) {
 /// Boxes of flesh, to find whether some is near a point.
 class Flesh {
  public:
-  Flesh(std::vector<float> positions, double reach) : positions_(std::move(positions)), reach_(reach) {
+  Flesh(std::vector<double> positions, double reach) : positions_(std::move(positions)), reach_(reach) {
     for (std::size_t row = 0; 3 * row < positions_.size(); ++row) boxes_[box_of(position(positions_, row), {0, 0, 0})].push_back(row);
   }
   bool is_near(const Vector3& x) const {
@@ -103,7 +103,7 @@ class Flesh {
       box = box << 21 | (static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x[d] / reach_)) + step[d]) & 0x1fffff);
     return box;
   }
-  std::vector<float> positions_;
+  std::vector<double> positions_;
   double reach_;
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> boxes_;
 };
@@ -132,7 +132,8 @@ double skin_dryness(const Results& run, const MetricPlace& at) {
   const Mesh skin = skin_at(run, number);
   const std::vector<double>& outside = field_of(run, skin, "saturation");
   const CheckedFrame start = run.frame(0), now = run.frame(number);
-  const auto places = start.positions(), saturations = now.column("saturation");
+  const auto places = start.positions();
+  const auto saturations = now.column("saturation");
   const auto rows = rows_at_start(start, now);
   double sum = 0, count = 0;
   for (std::size_t row = 0; row < rows.size(); ++row) {

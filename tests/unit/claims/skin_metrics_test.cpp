@@ -55,7 +55,7 @@ TEST_F(SkinMetrics, TakeTheCurvatureOverTheArea) {
   skin(0, "curvature", 0, 0);
   EXPECT_EQ(measure("skin_curvature", at(0)), 0);
   skin(4, "curvature", 3, std::nan(""));
-  EXPECT_FALSE(measure(find_metric("skin_curvature"), Results(folder_.path()), {}).is_number());
+  EXPECT_FALSE(bake::measure(find_metric("skin_curvature"), Results(folder_.path()), {}).is_number());
   skin(4, "area_ratio", 1, 1);
   EXPECT_THROW(measure("skin_curvature", {}), InputError);
 }
