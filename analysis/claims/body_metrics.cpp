@@ -30,7 +30,7 @@ class Sets {
 };
 
 /// Joins all points that are no farther apart than `reach`; `positions` has three numbers a point.
-Sets joined(const std::vector<float>& positions, double reach) {
+Sets joined(const std::vector<double>& positions, double reach) {
   const std::size_t count = positions.size() / 3;
   std::map<std::array<long, 3>, std::vector<std::size_t>> cells;  // as wide as the reach: neighbours are in cells side by side
   const auto cell_of = [&](const Vector3& x) {

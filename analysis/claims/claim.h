@@ -88,7 +88,7 @@ struct ClaimVerdict {
   bool holds;
   std::string says = {};
   std::optional<double> low = {}, high = {};  ///< what it must not be below or above
-  std::string problem = {};                   ///< why there is no number, of this run or of the one it is compared with; then it does not hold
+  std::string problem = {};  ///< why there is no number, of this run or of the one it is compared with; then it does not hold
 };
 
 /// Unit and meaning of what is measured.

@@ -50,18 +50,20 @@ std::vector<MeshField> fields_of(const Particles& particles, const BrowningHisto
 
 void write_particles(const fs::path& path, const Particles& particles, const std::vector<MeshField>& fields, double share) {
   FrameData data;
+  std::vector<float> positions;
   FrameColumn id{"id", "", std::vector<std::int64_t>(), 1};
   FrameColumn volume{"volume", "m^3", std::vector<float>(), 1};
   std::vector<FrameColumn> columns;
   for (const MeshField& field : fields) columns.push_back({field.name, field.unit, std::vector<float>(), 1});
   for (std::size_t i = 0; i < particles.count(); ++i) {
     if (!is_kept(particles.ids[i], share)) continue;
-    data.positions.insert(data.positions.end(), &particles.positions[3 * i], &particles.positions[3 * i] + 3);
+    positions.insert(positions.end(), &particles.positions[3 * i], &particles.positions[3 * i] + 3);
     std::get<std::vector<std::int64_t>>(id.values).push_back(particles.ids[i]);
     std::get<std::vector<float>>(volume.values).push_back(particles.volumes[i] / static_cast<float>(share));
     for (std::size_t f = 0; f < fields.size(); ++f)
       std::get<std::vector<float>>(columns[f].values).push_back(static_cast<float>(fields[f].values[i]));
   }
+  data.positions = std::move(positions);
   data.columns = {id, volume};
   data.columns.insert(data.columns.end(), columns.begin(), columns.end());
   write_frame(path, particles.time_s, data);

@@ -46,7 +46,7 @@ void make_body(const FigurePaths& paths, const FigureObject& object, const std::
   say(paths.options, fmt::format("object {} of {}", object.name, name));
   fs::remove_all(folder);  // frames that are no longer chosen
   if (paths.options.threads > 0) words.insert(words.end(), {"--threads", std::to_string(paths.options.threads)});  // same surfaces
-  call_program("bake-render", words, paths.item_folder() / (object.name + ".log"));
+  call_program("bake-render", words, paths.item_folder() / (object.name + ".log"), paths.options.quiet);
   record_sources(folder, from);
 }
 

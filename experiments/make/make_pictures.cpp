@@ -54,7 +54,7 @@ void make_small(const FigurePaths& paths, const FigurePicture& picture, const fs
   const std::vector<std::string> words{"jpeg", png.string(), "--out", made.string()};
   const nlohmann::json from{words, stamp(png)};
   if (is_up_to_date(made, from)) return;
-  call_program("bake-render", words, paths.item_folder() / (picture.name + ".jpg.log"));
+  call_program("bake-render", words, paths.item_folder() / (picture.name + ".jpg.log"), paths.options.quiet);
   record_sources(made, from);
 }
 

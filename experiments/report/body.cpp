@@ -62,7 +62,8 @@ Body read_body(const fs::path& folder, const std::vector<std::string>& fields) {
   Body body{folder, {}};
   for (const std::string& name : frames_in(folder)) {
     const FrameReader particles(folder / ("particles_" + name));
-    Frame frame{name, read_mesh(folder / ("surface_" + name)), particles.identities(), particles.positions(), particles.column("volume"),
+    const std::vector<double> x = particles.positions();
+    Frame frame{name, read_mesh(folder / ("surface_" + name)), particles.identities(), {x.begin(), x.end()}, particles.column("volume"),
                 {}};
     for (const std::string& field : fields) frame.fields.push_back(particles.column(field));
     if (frame.ids.empty()) throw InputError(fmt::format("{}: found no particle in {}", folder.string(), name));

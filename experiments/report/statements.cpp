@@ -88,10 +88,15 @@ std::string anchor_of(const Statement& statement, const std::string& place, std:
   return fmt::format("{}-{}-{}", place, number + 1, metric);
 }
 
-/// `common`: how the names of all runs begin.
-Html card(const Statement& statement, const std::string& anchor, const std::string& common) {
-  std::vector<std::string> metrics;
-  for (const json& claim : statement.claims) metrics.push_back(claim.at("metric"));
+/// `of_all`: how the names of all runs begin; those of a single run are not told apart otherwise.
+Html card(const Statement& statement, const std::string& anchor, const std::string& of_all) {
+  std::vector<std::string> metrics, runs;
+  for (const json& claim : statement.claims) {
+    metrics.push_back(claim.at("metric"));
+    const std::string of = claim.at("of");
+    if (!of.empty() && std::find(runs.begin(), runs.end(), of) == runs.end()) runs.push_back(of);
+  }
+  const std::string common = runs.size() > 1 ? common_start(runs) : of_all;
   const bool several = std::any_of(metrics.begin(), metrics.end(), [&](const std::string& m) { return m != metrics.front(); });
   const Html words = statement.is_quoted ? join({text("“"), text(statement.words), text("”")}) : text(statement.words);
   std::vector<Html> parts{element("h4", join({words, text(" "), badge(statement.holds()), link_to(anchor, "this statement")}))};

@@ -25,10 +25,10 @@ Html made_by(const json& study) {
                  "class=\"soft\"");
 }
 
+/// A study, folded: its title and what it is about are seen.
 Html study_section(const char* id, const char* title, const char* words, const json& study, const Html& table) {
-  return element("section",
-                 join({element("h2", join({text(title), link_to(id, title)})), element("p", text(words)), table, made_by(study)}),
-                 fmt::format("id=\"{}\"", id));
+  const Html summary = element("summary", join({element("h2", join({text(title), link_to(id, title)})), element("p", text(words))}));
+  return element("section", element("details", join({summary, table, made_by(study)})), fmt::format("id=\"{}\"", id));
 }
 
 /// The largest stable step divided by that of the time-step rule, over the points of one map.

@@ -146,12 +146,14 @@ std::optional<TimeChart> read_time_chart(const std::filesystem::path& csv) {
 }
 
 std::vector<double> round_numbers(double low, double high) {
-  const double rough = (high - low) / 4, power = std::pow(10, std::floor(std::log10(rough)));
-  double step = 10 * power;
-  for (const double s : {5.0, 2.5, 2.0, 1.0})
-    if (s * power >= rough) step = s * power;
+  const double power = std::pow(10, std::floor(std::log10((high - low) / 4)));
   std::vector<double> numbers;
-  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) numbers.push_back(k * step + 0.0);  // never -0
+  for (const double s : {10.0, 5.0, 2.5, 2.0, 1.0}) {
+    const double step = s * power;
+    numbers.clear();
+    for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) numbers.push_back(k * step + 0.0);  // never -0
+    if (numbers.size() >= 4) break;
+  }
   return numbers;
 }
 

@@ -565,7 +565,10 @@ for (const body of bodies) {
   near.observe(body.figure);
   if (!body.leader) { body.listen(); body.show(); body.recall(); }
 }
-const unfold = () => document.getElementById(location.hash.slice(1).split('&')[0])?.closest('details')?.setAttribute('open', '');
+const unfold = () => {
+  const target = document.getElementById(location.hash.slice(1).split('&')[0]);
+  (target?.closest('details') ?? target?.querySelector(':scope > details'))?.setAttribute('open', '');
+};
 addEventListener('hashchange', unfold); unfold();
 addEventListener('beforeprint', () => { for (const fold of document.querySelectorAll('details')) fold.open = true; });
 for (const button of document.querySelectorAll('button.copy')) {

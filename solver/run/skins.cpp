@@ -177,9 +177,9 @@ std::vector<MeshField> flesh_at(const std::vector<double>& points, const FrameDa
     return part(x, i) << 42 | part(y, j) << 21 | part(z, k);
   };
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> particles_in;
-  const std::vector<float>& x_p = frame.positions;
-  for (std::size_t p = 0; 3 * p < x_p.size(); ++p)
-    particles_in[cell_of(double(x_p[3 * p]), double(x_p[3 * p + 1]), double(x_p[3 * p + 2]), 0, 0, 0)].push_back(p);
+  const std::vector<double> x_p =
+      std::visit([](const auto& numbers) { return std::vector<double>(numbers.begin(), numbers.end()); }, frame.positions);
+  for (std::size_t p = 0; 3 * p < x_p.size(); ++p) particles_in[cell_of(x_p[3 * p], x_p[3 * p + 1], x_p[3 * p + 2], 0, 0, 0)].push_back(p);
   for (std::size_t v = 0; 3 * v < points.size(); ++v) {
     const double* x = &points[3 * v];
     double weights = 0;
@@ -190,7 +190,7 @@ std::vector<MeshField> flesh_at(const std::vector<double>& points, const FrameDa
       for (const std::size_t p : found->second) {
         double w = 1;
         for (std::size_t d = 0; d < 3 && w > 0; ++d) {
-          const double u = std::abs(x[d] - static_cast<double>(x_p[3 * p + d])) / dx;
+          const double u = std::abs(x[d] - x_p[3 * p + d]) / dx;
           w *= u < 0.5 ? 0.75 - u * u : u < 1.5 ? 0.5 * (1.5 - u) * (1.5 - u) : 0;
         }
         if (w == 0) continue;

@@ -101,14 +101,13 @@ class Page:
     def touch(self, kind, *points):
         self.ask("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": x, "y": y} for x, y in points])
 
-    def picture(self, file, whole=False):
-        shot = self.ask("Page.captureScreenshot", captureBeyondViewport=whole, **({"clip": self.whole()} if whole else {}))
+    def picture(self, file, top, height):
+        """A part of the page, seen or not."""
+        width = self.ask("Page.getLayoutMetrics")["cssContentSize"]["width"]
+        shot = self.ask("Page.captureScreenshot", captureBeyondViewport=True,
+                        clip={"x": 0, "y": top, "width": width, "height": height, "scale": 1})
         with open(file, "wb") as out:
             out.write(base64.b64decode(shot["data"]))
-
-    def whole(self):
-        size = self.ask("Page.getLayoutMetrics")["cssContentSize"]
-        return {"x": 0, "y": 0, "width": size["width"], "height": size["height"], "scale": 1}
 
     def mine(self):
         return [e for e in self.browser.events if e.get("sessionId") == self.session]

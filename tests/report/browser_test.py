@@ -214,14 +214,14 @@ def take_pictures(file, folder):
             begun = time.monotonic()
             page.open(address)
             loaded = time.monotonic() - begun
-            height_px = page.run("document.documentElement.scrollHeight")
-            for y in range(0, height_px, 700):  # bodies are drawn when they come near
-                page.run(f"scrollTo(0, {y})")
-                time.sleep(0.05)
-            page.wait("bodies.every(b => b.figure.matches('.alive, .still'))")
+            for i in range(page.run("bodies.length")):  # they are drawn when they come near
+                page.run(f"bodies[{i}].figure.scrollIntoView()")
+                page.wait(f"bodies[{i}].figure.matches('.alive, .still')")
             page.run("scrollTo(0, 0)")
-            settled(page) if page.run("bodies.length") else None
-            page.picture(os.path.join(folder, name + ".png"), whole=True)
+            time.sleep(1)
+            height_px = page.run("document.documentElement.scrollHeight")
+            for i, top in enumerate(range(0, height_px, 4 * height)):
+                page.picture(os.path.join(folder, f"{name}_{i}.png"), top, min(4 * height, height_px - top))
             print(f"{name}: loaded after {loaded:.2f} s, {height_px} px high, wide {page.run('document.documentElement.scrollWidth')},",
                   "console", page.told(), "asked", [a[:60] for a in page.asked() if not a.startswith(("file:", "data:"))])
     finally:

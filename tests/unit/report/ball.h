@@ -62,6 +62,7 @@ inline Mesh sphere(double r, double time_s, double centre_x = 0) {
 inline void write_particles(const std::filesystem::path& path, double r, double time_s, std::int64_t gone) {
   constexpr int k_half = 9;
   FrameData data;
+  std::vector<float> positions;
   std::vector<std::int64_t> ids;
   std::vector<float> columns[5];
   std::int64_t id = 0;
@@ -70,12 +71,13 @@ inline void write_particles(const std::filesystem::path& path, double r, double 
       for (int i = -k_half; i <= k_half; ++i) {
         if (i * i + j * j + k * k > k_half * k_half || ++id % gone == 0) continue;
         const double h = r / k_half, x = h * i, y = h * j, z = h * k;
-        data.positions.insert(data.positions.end(), {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)});
+        positions.insert(positions.end(), {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)});
         const AtPlace at(x, y, z, r);
         ids.push_back(id);
         const double values[] = {h * h * h, at.temperature_C, at.saturation, at.porosity, at.browning};
         for (int c = 0; c < 5; ++c) columns[c].push_back(static_cast<float>(values[c]));
       }
+  data.positions = std::move(positions);
   data.columns.push_back({"id", "", ids, 1});
   const char* names[] = {"volume", "temperature", "saturation", "porosity", "browning"};
   for (int c = 0; c < 5; ++c) data.columns.push_back({names[c], "1", columns[c], 1});

@@ -117,7 +117,7 @@ TEST(RoundNumbers, AreAboutFourFromLowToHigh) {
   EXPECT_EQ(round_numbers(0, 1), (std::vector<double>{0, 0.25, 0.5, 0.75, 1}));
   for (const double high : {0.0031, 7.0, 99.0, 12345.0}) {
     const auto numbers = round_numbers(-high / 3, high);
-    EXPECT_TRUE(numbers.size() >= 3 && numbers.size() <= 6) << high;
+    EXPECT_TRUE(numbers.size() >= 4 && numbers.size() <= 9) << high;
     EXPECT_TRUE(numbers.front() >= -high / 3 && numbers.back() <= high * (1 + 1e-12));
   }
 }
