@@ -51,4 +51,5 @@ rise() {
   done
 }
 look_at rise
-conclude "2.1e5 1.904762E-03 2.100000000000000e+05 1.904762E+02" "CalculiX drops what lies behind the 20th character of a number, exponent included"
+conclude "2.1e5 1.904762E-03 2.100000000000000e+05 1.904762E+02" \
+  "CalculiX drops what lies behind the 20th character of a number, exponent included"

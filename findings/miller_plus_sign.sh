@@ -10,7 +10,9 @@ source "$(dirname "$0")/common.sh"
 debian_packages miller=6.6.0-2+b3
 means() {
   local value
-  for value in 5 +5 NaN; do printf 'shift\n1\n%s\n' "$value" | mlr --icsv --ocsv --headerless-csv-output stats1 -a count,sum,mean,max -f shift; done
+  for value in 5 +5 NaN; do
+    printf 'shift\n1\n%s\n' "$value" | mlr --icsv --ocsv --headerless-csv-output stats1 -a count,sum,mean,max -f shift
+  done
 }
 look_at means
 conclude "2,6,3,5 2,1,1,+5 2,1,1,NaN" "Miller leaves numbers with a plus sign, and NaN, out of sums and means but counts them"

@@ -90,7 +90,8 @@ double broken_share(const Results& run, const MetricPlace& at) {
 double oozed_share(const Results& run, const MetricPlace& at) {
   constexpr double k_window = 2;
   const CheckedFrame frame = run.frame(run.frame_at(at.time_s));
-  const auto positions = frame.positions(), volumes = frame.column("volume"), peak = frame.column("peak_temperature");
+  const auto positions = frame.positions();
+  const auto volumes = frame.column("volume"), peak = frame.column("peak_temperature");
   const auto crust = whole_crust(frame, at);
   const double all = std::accumulate(volumes.begin(), volumes.end(), 0.0),
                width = k_window * std::cbrt(all / static_cast<double>(volumes.size()));

@@ -49,7 +49,7 @@ TEST(ABrittleBar, PartsForItsFractureEnergyWhateverTheGrid) {
     const auto s = bar(dx, 0.012).begin();
     s->advance(0.8, 1);
     EXPECT_EQ(most_broken(*s), 1);
-    EXPECT_NEAR(s->amount(Simulation::Sum::booked, "dissipated", 0) / (dx * dx) / k_energy, 1, 0.06) << dx;
+    EXPECT_NEAR(s->booked(booked::dissipated) / (dx * dx) / k_energy, 1, 0.06) << dx;
   }
 }
 
@@ -58,7 +58,7 @@ TEST(ABrittleBar, DoesNotBreakBeforeItHasSetNorWhenItIsPressed) {
     const auto s = bar(0.01, pull, theta_4).begin();
     s->advance(0.8, 1);
     EXPECT_LT(most_broken(*s), 0.01);
-    EXPECT_GT(s->amount(Simulation::Sum::booked, "dissipated", 0), 0) << "else nothing was tested";
+    EXPECT_GT(s->booked(booked::dissipated), 0) << "else nothing was tested";
   }
 }
 
