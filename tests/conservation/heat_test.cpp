@@ -68,11 +68,13 @@ TEST(MeltingDough, BooksTheHeatThatTheOvenGives) {
   for (const char* integrator : {"forward_euler", "backward_euler"}) {
     Dough dough = baked(integrator);
     dough.heat += "\nwater_specific_heat_J_per_kgK = 40";
+    dough.tables = "[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 2000\n";
+    dough.body = "temperature_C = 29.9";
     dough.material = melting();
     const auto s = dough.begin();
     const Sums start(*s);
     int steps = 0;
-    take_steps(*s, 200, 1e-3, [&] {
+    take_steps(*s, 400, 1e-3, [&] {
       const Sums now(*s);
       ASSERT_NEAR(now.heat, start.heat + now.exchanged - start.exchanged, ++steps * (1e-8 + 1e-12) * now.heat) << integrator;
     });
@@ -84,8 +86,8 @@ TEST(MeltingDough, BooksTheHeatThatTheOvenGives) {
 TEST(MeltingDough, BooksItsHeatWhileItMovesAndDries) {
   Dough dough = baked("forward_euler");
   dough.heat = Dough().heat;
-  dough.effects = "motion, heat, water, elasticity, plasticity";
-  dough.body = "temperature_C = 29.9\nangular_velocity_rad_per_s = [0, 3, 1]";
+  dough.effects = "motion, heat, water, elasticity, plasticity, leavening";
+  dough.body = "temperature_C = 30.9\nangular_velocity_rad_per_s = [0, 3, 1]";
   dough.tables += "[water]\nlatent_heat_J_per_kg = 1e3\n";
   dough.material =
       Dough::properties(Dough::moving_water(), "transition_heat_J_per_kg = 500\ntransition_from_C = 30\ntransition_to_C = 31\n");

@@ -276,7 +276,7 @@ std::vector<RandomScene> every_form() {
   return all;
 }
 
-/// What the paper does not have: latent heat of melting, and dough without pores, a fluid once it is warm.
+/// What the paper does not have: latent heat of melting, and dough without pores.
 std::vector<RandomScene> every_addition() {
   const std::string melts = "transition_heat_J_per_kg = 500\ntransition_from_C = 20\ntransition_to_C = 22";
   return {{.name = "melting", .effects = k_everything, .material = melts, .seed = 300},
@@ -287,7 +287,7 @@ std::vector<RandomScene> every_addition() {
            .seed = 301},
           {.name = "never_porous",
            .effects = "motion, heat, elasticity, plasticity",
-           .material = "yield_stress_Pa = [200, 0, 0, 400]",
+           .material = "yield_stress_Pa = [200, 50, 50, 400]",
            .overrides = {"material.0.initial_porosity=1e-7", "material.1.initial_porosity=1e-7"},
            .seed = 302}};
 }
