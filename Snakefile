@@ -29,6 +29,10 @@ RUNS = {}  # of each figure
 for line in subprocess.run([BAKE, "list", "runs"], check=True, text=True, stdout=subprocess.PIPE).stdout.splitlines():
     figure, *run = line.split()
     RUNS.setdefault(figure, []).extend(run)
+FIRST = {}  # the figure that simulates a run: figures may share runs
+for figure, runs in RUNS.items():
+    for run in runs:
+        FIRST.setdefault(run, figure)
 
 CASES = subprocess.run([BAKE, "list", "cases"], check=True, text=True, stdout=subprocess.PIPE).stdout.split()
 CASES = config["cases"].split(",") if "cases" in config else CASES  # --config cases=vortex,drying_cube
@@ -58,7 +62,7 @@ rule run:
 
 
 rule figure:
-    input: lambda wildcards: [f"results/made/{wildcards.figure}-{wildcards.quality}.{run}" for run in RUNS[wildcards.figure]]
+    input: lambda wildcards: [f"results/made/{FIRST[run]}-{wildcards.quality}.{run}" for run in RUNS[wildcards.figure]]
     output: touch("results/made/{figure}-{quality}")
     threads: config.get("threads", 8)
     resources: mem_mb=MEMORY_MB

@@ -44,7 +44,7 @@ bool is_in_box(const Vector3& point, const MetricPlace& at) {
 const std::vector<Metric>& all_metrics() {
   static const std::vector<Metric> all = [] {
     std::vector<Metric> list = ledger_metrics();
-    for (const auto& more : {body_metrics(), frame_metrics(), neck_metrics(), region_metrics(), surface_metrics()})
+    for (const auto& more : {body_metrics(), frame_metrics(), neck_metrics(), region_metrics(), skin_metrics(), surface_metrics()})
       list.insert(list.end(), more.begin(), more.end());
     return list;
   }();

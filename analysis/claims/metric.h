@@ -85,6 +85,7 @@ std::vector<Metric> ledger_metrics();
 std::vector<Metric> frame_metrics();
 std::vector<Metric> neck_metrics();
 std::vector<Metric> region_metrics();
+std::vector<Metric> skin_metrics();
 std::vector<Metric> surface_metrics();
 
 /// The metric `name`. Throws InputError with the nearest known name if there is none.

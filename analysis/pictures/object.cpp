@@ -41,7 +41,9 @@ class Loader {
 
   PictureObject load() {
     if (shown_.is_frame() && settings_.particles == ParticleShape::spheres) return spheres();
-    return painted(parts_of(shown_.surface(settings_.spacing_m.value_or(0))));
+    Mesh mesh = shown_.surface(settings_.spacing_m.value_or(0));
+    if (settings_.outwards_m > 0) move_outwards(mesh, settings_.outwards_m);
+    return painted(parts_of(mesh));
   }
 
  private:
@@ -118,7 +120,7 @@ class Loader {
   Colour colour(double value, bool inside, double low, double high) const {
     if (settings_.paint == Paint::browning) return linear_from_srgb(ramp_colour(inside ? crumb_ : skin_, static_cast<float>(value)));
     const double share = high > low ? (value - low) / (high - low) : 0.5;
-    return linear_from_srgb(map_colour(settings_.map, static_cast<float>(share)));
+    return linear_from_srgb(map_colour(settings_.map, static_cast<float>(settings_.backwards ? 1 - share : share)));
   }
   Colour constant_colour() const { return linear_from_srgb(as_eigen(settings_.colour).cast<float>()); }
 

@@ -167,10 +167,12 @@ struct ObjectSettings {
   ColourMap map = ColourMap::viridis;
   std::optional<double> range_low;
   std::optional<double> range_high;
+  bool backwards = false;
   ParticleShape particles = ParticleShape::surface;
   std::optional<int> material;
   std::string mirrored;
   std::optional<double> spacing_m;
+  double outwards_m = 0;
   double sphere_scale = 1;
   std::optional<Vector3> cut_point_m;
   std::optional<Vector3> cut_normal;
@@ -188,6 +190,7 @@ struct ObjectSettings {
         Parameter{"map", &ObjectSettings::map, "", any_number, "with paint = \"field\": its colours"},
         Parameter{"range_low", &ObjectSettings::range_low, "", any_number, "value at the map's start; default: the smallest"},
         Parameter{"range_high", &ObjectSettings::range_high, "", any_number, "value at the map's end; default: the largest"},
+        Parameter{"backwards", &ObjectSettings::backwards, "", any_number, "the map's end stands for range_low, its start for range_high"},
         Parameter{"particles", &ObjectSettings::particles, "", any_number,
                   "show a frame's particles as a smooth surface around them, or as spheres"},
         Parameter{"material", &ObjectSettings::material, "", Range{0, 1e6, false, false, "a whole number of at least 0"},
@@ -196,6 +199,8 @@ struct ObjectSettings {
             "mirrored", &ObjectSettings::mirrored, "", any_number,
             "completes a half or a quarter that was run between mirrors: axes whose planes through 0 they were, such as \"y\" or \"xy\""},
         Parameter{"spacing_m", &ObjectSettings::spacing_m, "m", positive, "of particles, for their surface; default: measured"},
+        Parameter{"outwards_m", &ObjectSettings::outwards_m, "m", non_negative,
+                  "moves a mesh along its normals: skins lie inside the flesh (depth_dx), whose surface would hide them"},
         Parameter{"sphere_scale", &ObjectSettings::sphere_scale, "1", positive, "radius of spheres over that of the particle's volume"},
         Parameter{"cut_point_m", &ObjectSettings::cut_point_m, "m", any_number, "a point of the cutting plane, before turn and shift"},
         Parameter{"cut_normal", &ObjectSettings::cut_normal, "", any_number, "the side of the plane that is taken away"},

@@ -153,6 +153,18 @@ std::vector<std::array<Eigen::Vector3f, 3>> corner_normals(const Mesh& triangles
   return normals;
 }
 
+void move_outwards(Mesh& triangles, double distance_m) {
+  const auto normals = corner_normals(triangles, 180);
+  std::vector<bool> moved(triangles.vertex_count());
+  for (std::size_t i = 0; i < triangles.cells.size(); ++i) {
+    const auto v = static_cast<std::size_t>(triangles.cells[i]);
+    if (moved[v]) continue;
+    moved[v] = true;
+    for (std::size_t d = 0; d < 3; ++d)
+      triangles.points[3 * v + d] += distance_m * static_cast<double>(normals[i / 3][i % 3][static_cast<Eigen::Index>(d)]);
+  }
+}
+
 Mesh without_specks(const Mesh& triangles, double share) {
   std::vector<std::size_t> parent(triangles.vertex_count());  // a forest; the root of a vertex names its part
   std::iota(parent.begin(), parent.end(), std::size_t{0});

@@ -17,6 +17,9 @@ Mesh boundary_of_tetrahedra(const Mesh& tetrahedra);
 /// `crease_deg` of the triangle's own. Edges that are sharper stay sharp.
 std::vector<std::array<Eigen::Vector3f, 3>> corner_normals(const Mesh& triangles, double crease_deg);
 
+/// Moves every vertex along the mean normal of its triangles.
+void move_outwards(Mesh& triangles, double distance_m);
+
 /// The mesh without those connected parts that enclose less than `share` of what the largest encloses: crumbs of a particle or two, and
 /// bubbles inside.
 Mesh without_specks(const Mesh& triangles, double share);

@@ -65,7 +65,9 @@ void check_view(const SceneEntry& entry, const std::string& view, const Figure& 
 void check(const SceneEntry& entry, const FigurePicture& picture, const Figure& figure, const ComputedNames&) {
   check_name(entry, picture.name, names_in(figure.pictures));
   check_view(entry, picture.view, figure);
-  for (const std::string& name : picture.of) check_known(entry, "of", name, "run or surface", runs_and_surfaces(figure));
+  auto known = runs_and_surfaces(figure);
+  for (const FigureRun& run : figure.runs) known.push_back(run.name + std::string(k_skin_of));
+  for (const std::string& name : picture.of) check_known(entry, "of", name, "run, surface or skin", known);
 }
 
 void check(const SceneEntry& entry, const FigureObject& object, const Figure& figure, const ComputedNames&) {

@@ -49,6 +49,9 @@ struct FigureSurface {
   }
 };
 
+/// What follows the name of a run whose skins a picture shows.
+inline constexpr std::string_view k_skin_of = ".skin";
+
 enum class PictureKind { picture, slice };
 constexpr auto choice_names(PictureKind) { return std::array{"picture", "slice"}; }
 
@@ -68,7 +71,8 @@ struct FigurePicture {
         Parameter{"kind", &FigurePicture::kind, "", any_number, "the command of bake-render"},
         Parameter{"view", &FigurePicture::view, "", any_number, "views/<view>.toml of this folder: camera, light, labels",
                   Presence::required},
-        Parameter{"of", &FigurePicture::of, "", any_number, "runs (their frames) and surfaces, in the order of the view's objects",
+        Parameter{"of", &FigurePicture::of, "", any_number,
+                  "runs (their frames), surfaces, and <run>.skin (the skins of a run), in the order of the view's objects",
                   Presence::required},
         Parameter{"times_s", &FigurePicture::times_s, "s", non_negative, "the time of each; at the end unless given"},
     };

@@ -10,13 +10,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a picture shows: a frame of a run, or the surface at that frame.
+/// What a picture shows: a frame of a run, the surface or the skins at that frame.
 struct Input {
   fs::path file;
   fs::path results;  ///< folder of the run, whose history bake-render reads
 };
 
 Input input_of(const FigurePaths& paths, const std::string& name, std::optional<double> time_s) {
+  if (name.ends_with(k_skin_of)) {
+    const fs::path run = paths.run(name.substr(0, name.size() - k_skin_of.size()));
+    return {run / "skins" / frame_name(Results(run).frame_at(time_s)), run};
+  }
   const FigureSurface* surface = find_named(paths.figure.surfaces, name);
   const fs::path run = paths.run(surface ? surface->run : name);
   const std::string frame = frame_name(Results(run).frame_at(time_s));

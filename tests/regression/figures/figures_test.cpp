@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -40,7 +41,9 @@ Eigen::Vector3d mean_colour(const Image& image, Counts counts) {
 /// A figure made in a folder of its own: exit code, claims.json, pictures.
 class Made {
  public:
-  Made(int number, const std::string& item) {
+  /// `sharing`: a figure in whose folder it is made, to use its runs again.
+  Made(int number, const std::string& item, const Made* sharing = nullptr)
+      : home_(sharing ? sharing->home_ : std::make_shared<TemporaryFolder>()), folder_(*home_) {
     const std::string command = fmt::format("cd '{}' && '{}' figure {} --quiet --size {}x{} --samples {} --threads 1 > out 2> errors",
                                             folder_.path().string(), BAKE_PROGRAM, number, k_width, k_height, k_samples);
     const int status = std::system(command.c_str());
@@ -60,7 +63,8 @@ class Made {
   nlohmann::json claims;
 
  private:
-  TemporaryFolder folder_;
+  std::shared_ptr<TemporaryFolder> home_;
+  const TemporaryFolder& folder_;
   std::filesystem::path item_;
 };
 
@@ -119,6 +123,21 @@ TEST(Figure4, ACakeFlowsOutOfItsCentreAndOneThatBakedLongerDoesNot) {
   const Made figure(4, "lava_cake");
   check_claims(figure, {}, 10);
   check_pictures(figure, "fig04_lava_cake");
+}
+
+TEST(Figures9And10, GrapesDryFromOutsideAndTheirSkinsFold) {
+  const Made grapes(9, "grapes");
+  check_claims(grapes, {}, 12);
+  check_pictures(grapes, "fig09_grapes");
+  const Made saturation(10, "saturation", &grapes);
+  check_claims(saturation, {}, 3);
+  check_pictures(saturation, "fig10_saturation");
+}
+
+TEST(Figure13, SlicesOfApplesBuckleTheThinnestMostButTheControlIsNotFlat) {
+  const Made figure(13, "apple_slices");
+  check_claims(figure, {"height_over_thickness"}, 20);  // of the control alone: the README says why
+  check_pictures(figure, "fig13_apple_slices");
 }
 
 TEST(Figure11, BatterIsPouredCooksFromBelowAndIsFlippedInOnePiece) {

@@ -145,6 +145,15 @@ TEST(Meshes, CreasesStaySharpAndSlightOnesAreSmoothed) {
     for (const auto& n : corners) EXPECT_LT(n.cwiseAbs().maxCoeff(), 0.95);
 }
 
+TEST(Meshes, MoveOutwardsAlongTheNormals) {
+  Mesh skin = boundary_of_tetrahedra(cube());
+  const Mesh before = skin;
+  move_outwards(skin, 0.1);
+  EXPECT_GT(volume(skin), 8 * 1.1);
+  for (std::size_t v = 0; v < skin.vertex_count(); ++v)
+    EXPECT_NEAR((point(skin, static_cast<std::int64_t>(v)) - point(before, static_cast<std::int64_t>(v))).norm(), 0.1, 1e-6);
+}
+
 TEST(Meshes, CutKeepsWhatIsBehindAndItsFaceClosesIt) {
   const Mesh skin = boundary_of_tetrahedra(cube());
   const auto [kept, face] = cut(skin, {0.25, 0, 0}, {2, 0, 0}, 0.3);

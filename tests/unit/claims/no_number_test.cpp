@@ -8,6 +8,7 @@
 
 #include "analysis/claims/claim.h"
 #include "solver/io/frames.h"
+#include "solver/io/mesh_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace bake {
@@ -27,6 +28,7 @@ struct Body {
                              "extent_x_m",
                              "extent_y_m",
                              "surface_m2",
+                             "skin_area_m2",
                              "water_evaporated_kg",
                              "water_mass_kg",
                              "gas_mol",
@@ -77,22 +79,38 @@ struct Body {
     }
     data.positions = std::move(positions);
     data.columns = {{"temperature", "C", temperature}, {"peak_temperature", "C", peak}, {"volume", "m^3", volume},
-                    {"water_mass", "kg", water},       {"material", "1", material},     {"id", "1", id}};
+                    {"water_mass", "kg", water},       {"material", "1", material},     {"id", "1", id},
+                    {"saturation", "1", water}};
     return data;
   }
   /// `keeps`: the frames that are in the folder; what differs is written.
   Results written(const std::filesystem::path& folder, const std::vector<FrameData>* keeps = nullptr) const {
     std::filesystem::create_directories(folder / "frames");
-    std::ofstream(folder / "run.json") << R"({"summary": {"state": "done"}, "scene": {"material": [{"name": "batter",
+    std::ofstream(folder / "run.json")
+        << R"({"summary": {"state": "done"}, "scene": {"quality": "draft", "grid": {"dx_m": 0.1}, "material": [{"name": "batter",
       "initial_temperature_C": 5, "temperatures_C": [4, 20, 45, 120], "yield_stress_Pa": [20, 20, 2, 2000]}]}})";
     std::ofstream ledger(folder / "ledger.csv");
     ledger << fmt::format("{}\n", fmt::join(columns, ","));
     for (const auto& row : rows) ledger << fmt::format("{:.17g}\n", fmt::join(row, ","));
     ledger.close();
     for (std::size_t i = 0; i < frames.size(); ++i)
-      if (!keeps || i >= keeps->size() || differ((*keeps)[i], frames[i]))
+      if (!keeps || i >= keeps->size() || differ((*keeps)[i], frames[i])) {
         write_frame(folder / "frames" / frame_name(static_cast<int>(i)), static_cast<double>(i), frames[i]);
+        write_skin(folder, i);
+      }
     return Results(folder);
+  }
+  /// A triangle at two particles that bends as they become hot.
+  void write_skin(const std::filesystem::path& folder, std::size_t i) const {
+    const auto& x = std::get<std::vector<double>>(frames[i].positions);
+    const auto& temperature = std::get<std::vector<float>>(frames[i].columns[0].values);
+    const double bent = static_cast<double>(temperature[0]) - 20;
+    Mesh mesh;
+    mesh.points = {x[0], x[1], x[2], x[30], x[31], x[32], x[30], x[31] + 0.5, x[32]};
+    mesh.cells = {0, 1, 2};
+    mesh.fields = {{"curvature", "1/m", 1, {bent, bent, bent}}, {"saturation", "1", 1, {0.5, 0.5, 0.5}}};
+    std::filesystem::create_directories(folder / "skins");
+    write_mesh(folder / "skins" / frame_name(static_cast<int>(i)), mesh);
   }
   static bool differ(const FrameData& a, const FrameData& b) {  // as NaN does from itself
     for (std::size_t i = 0; i < a.columns.size(); ++i)

@@ -2,6 +2,8 @@
 // Every link of the paper's items leads somewhere: the lint of paper/items.toml and of every experiments/<item>/figure.toml.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <map>
 #include <set>
 
 #include "experiments/make/make_figure.h"
@@ -25,6 +27,20 @@ TEST(PaperItems, LeadToExperimentsScenesViewsAndMetricsThatExist) {
     SCOPED_TRACE(item.number);
     const ReadFigure read = read_figure(items, item);
     for (const FigureRun& run : read.figure.runs) EXPECT_NO_THROW(read_scene(scene_file(read.figure, run), {Quality::draft, run.set}));
+  }
+}
+
+/// Their results have one folder.
+TEST(PaperItems, MeanOneSimulationByOneNameOfARun) {
+  const Items items = read_items(BAKE_SOURCE_DIR);
+  std::map<std::string, std::pair<std::filesystem::path, std::vector<std::string>>> known;
+  for (const Item& item : items.items) {
+    if (item.status != ItemStatus::done) continue;
+    const Figure figure = read_figure(items, item).figure;
+    for (const FigureRun& run : figure.runs) {
+      const std::pair here{std::filesystem::weakly_canonical(scene_file(figure, run)), run.set};
+      EXPECT_EQ(known.emplace(run.name, here).first->second, here) << item.number << ": " << run.name;
+    }
   }
 }
 
