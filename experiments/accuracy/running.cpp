@@ -91,7 +91,8 @@ class Staged final : public Running {
   }
 
   std::vector<std::string> ledger_names() const override {
-    return {"time_s", "volume_m3", "water_mass_kg", "water_evaporated_kg", "temperature_mean_C", "gas_mol"};
+    return {"time_s",  "volume_m3",         "water_mass_kg",        "water_evaporated_kg", "temperature_mean_C",
+            "gas_mol", "emitted_volume_m3", "emitted_water_mass_kg"};
   }
   std::vector<double> ledger_row() const override {
     const double volume = sum([](const textbook::Particle& p) { return p.V(); });
@@ -101,7 +102,9 @@ class Staged final : public Running {
             water,
             water_at_start_ - water,  // of bodies that stay in the domain
             sum([](const textbook::Particle& p) { return p.theta * p.V(); }) / volume,
-            sum([](const textbook::Particle& p) { return p.nu * p.V_0; })};
+            sum([](const textbook::Particle& p) { return p.nu * p.V_0; }),
+            0,  // nothing is poured
+            0};
   }
   void write_frame_file(const std::filesystem::path& path) const override {
     std::vector<float> x, temperature;

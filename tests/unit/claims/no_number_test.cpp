@@ -139,6 +139,7 @@ MetricPlace place_for(const Metric& metric) {
   place.material = std::string("batter");
   place.softened_to = 0.5;
   if (std::string_view(metric.name) == "springback") place.time_s = 1;
+  if (std::string_view(metric.name) == "doming") place.point_m = Vector3{2.4, -0.45, 0};  // particles in all rings around it
   return place;
 }
 
