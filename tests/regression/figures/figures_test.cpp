@@ -101,13 +101,13 @@ void check_claims(const Made& made, const std::set<std::string>& expected_to_mis
   EXPECT_GE(made.claims.size(), at_least);
 }
 
-TEST(Figure2, AMuffinRisesToADomeItsChipsMeltAndItIsTornInTwoButDrawnOutWhereItTears) {
+TEST(LongFigure2, AMuffinRisesToADomeItsChipsMeltAndItIsTornInTwoButDrawnOutWhereItTears) {
   const Made figure(2, "muffin");
   check_claims(figure, {"pieces_volume"}, 14);
   check_pictures(figure, "fig02_muffin");
 }
 
-TEST(Figure3, CookiesFallWithLeavenerAndSpreadInACoolOven) {
+TEST(LongFigure3, CookiesFallWithLeavenerAndSpreadInACoolOven) {
   const Made figure(3, "cookies");
   check_claims(figure, {}, 37);
   check_pictures(figure, "fig03_cookies");
@@ -125,7 +125,7 @@ TEST(Figure4, ACakeFlowsOutOfItsCentreAndOneThatBakedLongerDoesNot) {
   check_pictures(figure, "fig04_lava_cake");
 }
 
-TEST(Figures9And10, GrapesDryFromOutsideAndTheirSkinsFold) {
+TEST(LongFigures9And10, GrapesDryFromOutsideAndTheirSkinsFold) {
   const Made grapes(9, "grapes");
   check_claims(grapes, {}, 12);
   check_pictures(grapes, "fig09_grapes");
@@ -134,7 +134,7 @@ TEST(Figures9And10, GrapesDryFromOutsideAndTheirSkinsFold) {
   check_pictures(saturation, "fig10_saturation");
 }
 
-TEST(Figure13, SlicesOfApplesBuckleTheThinnestMostButTheControlIsNotFlat) {
+TEST(LongFigure13, SlicesOfApplesBuckleTheThinnestMostButTheControlIsNotFlat) {
   const Made figure(13, "apple_slices");
   check_claims(figure, {"height_over_thickness"}, 20);  // of the control alone: the README says why
   check_pictures(figure, "fig13_apple_slices");
@@ -176,7 +176,7 @@ TEST(Figure16, LoafIsTornInTwo) {
   check_pictures(figure, "fig16_tearing");
 }
 
-TEST(Figure17, CookiesAreDomedAndThoseThatMeltAndSetAreFlat) {
+TEST(LongFigure17, CookiesAreDomedAndThoseThatMeltAndSetAreFlat) {
   const Made figure(17, "cookies_compared");
   check_claims(figure, {}, 38);
   check_pictures(figure, "fig17_cookies_compared");
