@@ -180,7 +180,11 @@ TEST_F(Pictures, PaintedByAFieldSayWhatTheirColoursStandFor) {
     view.objects[0].particles = shape;
     Histories histories;
     const PictureObject object = load_object(folder / "run/frames/0002.hdf", {}, view, view.objects[0], histories, 1);
-    EXPECT_EQ(object.bar, (ColourBar{ColourMap::viridis, 60, 150, "temperature [C]"}));
+    ASSERT_TRUE(object.bar);
+    EXPECT_EQ(object.bar->map, ColourMap::viridis);
+    EXPECT_NEAR(object.bar->low, 60, 1e-9);
+    EXPECT_NEAR(object.bar->high, 150, 1e-9);
+    EXPECT_EQ(object.bar->label, "temperature [C]");
     EXPECT_EQ(object.time_s, 2);
   }
   view.objects[0].range_high = 200;
@@ -218,7 +222,8 @@ TEST_F(Pictures, CompleteWhatWasRunBetweenMirrors) {
   const auto lowest = [&](const char* mirrored) {
     view.objects[0].mirrored = mirrored;
     Vec3f low = Vec3f::Ones();
-    for (const Vec3f& p : load_object(frame, {}, view, view.objects[0], histories, 1).meshes[0].vertices) low = low.cwiseMin(p);
+    const PictureObject object = load_object(frame, {}, view, view.objects[0], histories, 1);
+    for (const Vec3f& p : object.meshes[0].vertices) low = low.cwiseMin(p);
     return low;
   };
   EXPECT_GT(lowest("").head(2).minCoeff(), -0.02f);
