@@ -100,8 +100,8 @@ TEST_F(FigureFile, RefusesNamesOfNothing) {
   EXPECT_EQ(error_of("run = \"slit\"", "run = \"slot\""), "figure.toml:13: surface.0.run: unknown run 'slot'; did you mean 'slit'?");
   EXPECT_EQ(error_of("run = \"slit\"", "run = \"plain\""), "figure.toml:13: surface.0.run: found 'plain', allowed: a run with mesh = true");
   EXPECT_EQ(error_of("\"side\"", "\"seite\"").substr(0, 46), "figure.toml:19: picture.0.view: found 'seite',");
-  EXPECT_EQ(error_of("\"slit.skin\"", "\"torn.skin\"").substr(0, 74),
-            "figure.toml:20: picture.0.of: unknown run, surface or skin 'torn.skin'; di")
+  EXPECT_TRUE(
+      error_of("\"slit.skin\"", "\"torn.skin\"").starts_with("figure.toml:20: picture.0.of: unknown run, surface or skin 'torn.skin'; "))
       << "a surface has no skins";
   EXPECT_EQ(error_of("\"torn\"]", "\"tron\"]"), "figure.toml:20: picture.0.of: unknown run, surface or skin 'tron'; did you mean 'torn'?");
   EXPECT_EQ(error_of("\"slit\"]", "\"torn\"]"), "figure.toml:25: chart.0.of: unknown run 'torn'; allowed: plain, slit");
