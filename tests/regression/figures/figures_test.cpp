@@ -125,7 +125,7 @@ TEST(Figure4, ACakeFlowsOutOfItsCentreAndOneThatBakedLongerDoesNot) {
   check_pictures(figure, "fig04_lava_cake");
 }
 
-TEST(LongFigures9And10, GrapesDryFromOutsideAndTheirSkinsFold) {
+TEST(Figures9And10, GrapesDryFromOutsideAndTheirSkinsFold) {
   const Made grapes(9, "grapes");
   check_claims(grapes, {}, 12);
   check_pictures(grapes, "fig09_grapes");
@@ -134,7 +134,7 @@ TEST(LongFigures9And10, GrapesDryFromOutsideAndTheirSkinsFold) {
   check_pictures(saturation, "fig10_saturation");
 }
 
-TEST(LongFigure13, SlicesOfApplesBuckleTheThinnestMostButTheControlIsNotFlat) {
+TEST(Figure13, SlicesOfApplesBuckleTheThinnestMostButTheControlIsNotFlat) {
   const Made figure(13, "apple_slices");
   check_claims(figure, {"height_over_thickness"}, 20);  // of the control alone: the README says why
   check_pictures(figure, "fig13_apple_slices");
