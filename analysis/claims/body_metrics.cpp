@@ -11,33 +11,20 @@
 
 #include "analysis/claims/finite.h"
 #include "analysis/claims/metric.h"
+#include "solver/core/union_find.h"
 
 namespace bake {
 namespace {
 
-/// Sets that are joined one after the other.
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t of(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t i, std::size_t j) { parent_[of(i)] = of(j); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 /// Joins all points that are no farther apart than `reach`; `positions` has three numbers a point.
-Sets joined(const std::vector<double>& positions, double reach) {
+UnionFind joined(const std::vector<double>& positions, double reach) {
   const std::size_t count = positions.size() / 3;
   std::map<std::array<long, 3>, std::vector<std::size_t>> cells;  // as wide as the reach: neighbours are in cells side by side
   const auto cell_of = [&](const Vector3& x) {
     return std::array{std::lround(x[0] / reach), std::lround(x[1] / reach), std::lround(x[2] / reach)};
   };
   for (std::size_t i = 0; i < count; ++i) cells[cell_of(position(positions, i))].push_back(i);
-  Sets sets(count);
+  UnionFind sets(count);
   for (std::size_t i = 0; i < count; ++i) {
     const Vector3 x = position(positions, i);
     const auto at = cell_of(x);
@@ -48,7 +35,8 @@ Sets joined(const std::vector<double>& positions, double reach) {
           if (cell == cells.end()) continue;
           for (const std::size_t j : cell->second) {
             const Vector3 y = position(positions, j);
-            if (j < i && std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]) <= reach) sets.join(i, j);
+            if (j < i && std::hypot(x[0] - y[0], x[1] - y[1], x[2] - y[2]) <= reach)
+              sets.unite(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j));
           }
         }
   }
@@ -63,9 +51,10 @@ double largest_lump(const Results& run, const MetricPlace& at) {
   const auto volumes = frame.column("volume");
   const double all = std::accumulate(volumes.begin(), volumes.end(), 0.0);
   if (!(all > 0)) return std::nan("");
-  Sets lumps = joined(frame.positions(), k_reach * std::cbrt(all / static_cast<double>(volumes.size())));
+  UnionFind lumps = joined(frame.positions(), k_reach * std::cbrt(all / static_cast<double>(volumes.size())));
   std::vector<double> volume_of(volumes.size(), 0);
-  for (std::size_t i = 0; i < volumes.size(); ++i) volume_of[lumps.of(i)] += static_cast<double>(volumes[i]);
+  for (std::size_t i = 0; i < volumes.size(); ++i)
+    volume_of[static_cast<std::size_t>(lumps.find(static_cast<std::int32_t>(i)))] += static_cast<double>(volumes[i]);
   return *std::max_element(volume_of.begin(), volume_of.end()) / all;
 }
 

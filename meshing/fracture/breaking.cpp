@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "meshing/union_find.h"
+#include "solver/core/union_find.h"
 #include "solver/core/vector3.h"
 
 namespace bake {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "meshing/union_find.h"
+#include "solver/core/union_find.h"
 #include "solver/core/vector3.h"
 
 namespace bake {

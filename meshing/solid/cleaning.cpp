@@ -9,8 +9,8 @@
 #include <map>
 #include <unordered_map>
 
-#include "meshing/union_find.h"
 #include "solver/core/errors.h"
+#include "solver/core/union_find.h"
 #include "solver/core/vector3.h"
 
 namespace bake {

@@ -13,8 +13,8 @@
 
 #include "meshing/solid/cleaning.h"
 #include "meshing/solid/triangle_mesh.h"
-#include "meshing/union_find.h"
 #include "solver/core/errors.h"
+#include "solver/core/union_find.h"
 #include "solver/core/vector3.h"
 
 namespace bake {
