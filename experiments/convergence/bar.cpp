@@ -62,6 +62,16 @@ std::vector<double> differences(const Snapshot& now, const Field& found, const P
   return values;
 }
 
+std::vector<double> temperature_differences(Bar bar, double cells, const Profile& exact, const Span& span) {
+  bar.cells = static_cast<int>(cells);
+  const auto s = bar.begin();
+  run_to(*s, bar.end_s);
+  const Snapshot now = s->snapshot();
+  const auto& theta = now["temperature"];
+  return differences(
+      now, [&](std::size_t i) { return theta[i]; }, exact, span);
+}
+
 double root_mean_square(const std::vector<double>& values) {
   double sum = 0;
   for (const double v : values) sum += v * v;

@@ -46,6 +46,8 @@ using Profile = std::function<double(double x)>;
 
 /// Differences found - exact of the particles in `span`.
 std::vector<double> differences(const Snapshot& now, const Field& found, const Profile& exact, const Span& span);
+/// Differences of temperature at the end, found - exact, of the bar with so many cells.
+std::vector<double> temperature_differences(Bar bar, double cells, const Profile& exact, const Span& span);
 double root_mean_square(const std::vector<double>& values);
 double largest(const std::vector<double>& values);  ///< of the absolute values
 double mean(const std::vector<double>& values);

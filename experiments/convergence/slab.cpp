@@ -47,15 +47,10 @@ double held_and_insulated(double x, double t) {
 using Exact = double (*)(double x, double t);
 
 /// Differences of temperature at time t in `span`.
-std::vector<double> temperature_differences(Bar bar, double cells, double t, Exact exact, const Span& span) {
-  bar.cells = static_cast<int>(cells);
+std::vector<double> differences_at(Bar bar, double cells, double t, Exact exact, const Span& span) {
   bar.end_s = t;
-  const auto slab = bar.begin();
-  run_to(*slab, t);
-  const Snapshot now = slab->snapshot();
-  const auto& theta = now["temperature"];
-  return differences(
-      now, [&](std::size_t i) { return theta[i]; }, [&](double x) { return exact(x, t); }, span);
+  return temperature_differences(
+      bar, cells, [&](double x) { return exact(x, t); }, span);
 }
 
 std::vector<double> refinements(bool quick) { return quick ? std::vector<double>{16, 32, 64} : std::vector<double>{8, 16, 32, 64, 128}; }
@@ -83,7 +78,7 @@ std::vector<Errors> held_errors(const Bar& bar, double t, Exact exact, bool quic
       "to "
       "some 0.03 dx, which decides from 32 cells on";
   e.refinements = refinements(quick);
-  for (const double n : e.refinements) e.errors.push_back(root_mean_square(temperature_differences(bar, n, t, exact, k_interior)));
+  for (const double n : e.refinements) e.errors.push_back(root_mean_square(differences_at(bar, n, t, exact, k_interior)));
   return {e};
 }
 
@@ -111,8 +106,8 @@ std::vector<Errors> slab_cosine(bool quick) {
       "diffusion";
   inside.refinements = anywhere.refinements = refinements(quick);
   for (const double n : inside.refinements) {
-    inside.errors.push_back(root_mean_square(temperature_differences(bar, n, t, cosine, k_interior)));
-    anywhere.errors.push_back(largest(temperature_differences(bar, n, t, cosine, k_all)));
+    inside.errors.push_back(root_mean_square(differences_at(bar, n, t, cosine, k_interior)));
+    anywhere.errors.push_back(largest(differences_at(bar, n, t, cosine, k_all)));
   }
   return {inside, anywhere};
 }
@@ -133,8 +128,8 @@ std::vector<Errors> slab_halves(bool quick) {
   heat.why = "as the profile: no particle keeps the heat that it had at the jump";
   at_jump.refinements = heat.refinements = refinements(quick);
   for (const double n : heat.refinements) {
-    at_jump.errors.push_back(root_mean_square(temperature_differences(bar, n, t, halves, k_interior)));
-    heat.errors.push_back(2 * std::abs(mean(temperature_differences(bar, n, t, halves, {0, 0.5}))));
+    at_jump.errors.push_back(root_mean_square(differences_at(bar, n, t, halves, k_interior)));
+    heat.errors.push_back(2 * std::abs(mean(differences_at(bar, n, t, halves, {0, 0.5}))));
   }
   return {at_jump, heat};
 }
