@@ -132,15 +132,9 @@ Waves yielding(int cells, double e, double sign) {
 
 /// Where S, found at 0 and e, would be zero. Pressed dough moves a little by itself, since its particles now stand unevenly in the cells:
 /// the mean of both signs of the load is free of that.
-Waves critical_strains(int cells) {
+Waves critical_strains_of_film(int cells) {
   const double e = std::log(1 + 1 / (2 * k_length));  // takes half of h: half a cell for each cell of the film, whole rows of particles
-  const Waves free = yielding(cells, 0, 1), up = yielding(cells, e, 1), down = yielding(cells, e, -1);
-  Waves found;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const double S_0 = 1 / free[i], S_e = 2 / (up[i] + down[i]);
-    found[i] = e * S_0 / (S_0 - S_e);
-  }
-  return found;
+  return critical_strains(yielding(cells, 0, 1), mean(yielding(cells, e, 1), yielding(cells, e, -1)), e);
 }
 
 }  // namespace
@@ -177,7 +171,7 @@ std::vector<Errors> wrinkles(bool quick) {
     e->refinements = quick ? std::vector<double>{1, 2} : std::vector<double>{1, 2, 3};
   }
   for (const double n : wavelength.refinements) {
-    const Wrinkle found = least_of_fit(wave_numbers(), critical_strains(static_cast<int>(n)));
+    const Wrinkle found = least_of_fit(wave_numbers(), critical_strains_of_film(static_cast<int>(n)));
     wavelength.errors.push_back(std::abs(found.wavelength / held.wavelength - 1));
     onset.errors.push_back(std::abs(found.onset / held.onset - 1));
     thin_wavelength.errors.push_back(std::abs(found.wavelength / thin.wavelength - 1));

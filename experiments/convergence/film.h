@@ -26,4 +26,21 @@ inline Wrinkle least_of_fit(const Waves& k, const Waves& strains) {
   return {2 * std::numbers::pi / at, a * at * at + b / at};
 }
 
+/// The strains at which the stiffness would be zero, from what waves yield without strain and at the strain `e`: it falls evenly with it.
+inline Waves critical_strains(const Waves& free, const Waves& pressed, double e) {
+  Waves found;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const double S_0 = 1 / free[i], S_e = 1 / pressed[i];
+    found[i] = e * S_0 / (S_0 - S_e);
+  }
+  return found;
+}
+
+/// Of two loads of opposite sign: what dough moves by itself is not in it.
+inline Waves mean(const Waves& up, const Waves& down) {
+  Waves mean;
+  for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = (up[i] + down[i]) / 2;
+  return mean;
+}
+
 }  // namespace bake::studies::film

@@ -100,7 +100,7 @@ Waves yields(double cells, double e, double sign) {
     return Vector3{along * x[0] / (1 + along * t), 0, up * x[2] / (1 + up * t)};
   });
   run_to(*s, k_until);
-  const Mesh pressed = *s->skin_mesh();
+  const Mesh pressed = *s->skin_mesh(s->frame());
 
   const Waves waves = numbers();
   double slowest = 1e9;
@@ -115,7 +115,7 @@ Waves yields(double cells, double e, double sign) {
     return std::exp(-rate * dt) * (v + Vector3{0, 0, dt * push});
   });
   run_to(*s, k_until + 16 / rate);
-  const Mesh now = *s->skin_mesh();
+  const Mesh now = *s->skin_mesh(s->frame());
   Waves w{};
   constexpr std::size_t k_row = k_across + 1;  // of vertices; those at the strip's ends stand for half as much of it
   const std::size_t first = k_flap * k_row, end = now.vertex_count() - first;
@@ -130,19 +130,7 @@ Waves yields(double cells, double e, double sign) {
 /// Where S, found at 0 and at two fifths of the onset, would be zero. The mean of both signs of the load is free of what moves by itself.
 Waves critical_strains_of_skin(double cells) {
   const double e = 0.4 * k_onset;
-  const auto mean = [&](double strain) {
-    Waves up = yields(cells, strain, 1);
-    const Waves down = yields(cells, strain, -1);
-    for (std::size_t i = 0; i < up.size(); ++i) up[i] = (up[i] + down[i]) / 2;
-    return up;
-  };
-  const Waves free = mean(0), pressed = mean(e);
-  Waves found;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const double S_0 = 1 / free[i], S_e = 1 / pressed[i];
-    found[i] = e * S_0 / (S_0 - S_e);
-  }
-  return found;
+  return critical_strains(mean(yields(cells, 0, 1), yields(cells, 0, -1)), mean(yields(cells, e, 1), yields(cells, e, -1)), e);
 }
 
 }  // namespace

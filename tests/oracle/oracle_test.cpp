@@ -140,6 +140,14 @@ std::vector<RandomScene> every_model() {
   return all;
 }
 
+constexpr const char* k_knife = R"(
+[[collider]]
+shape = { box = { centre_m = [0.023, 0.011, 0.317], half_extents_m = [0.031, 0.3, 0.3] } }
+expels = true
+friction = 0.2
+motion = [{ time_s = 0 }, { time_s = 0.1, position_m = [0, 0, -0.3] }]
+)";
+
 /// Whatever comes and goes, holds and is held; in the model of everything. No node lies as deep below one side of a box as below
 /// another: which normal it gets would be round-off's choice.
 std::vector<RandomScene> every_boundary() {
@@ -168,17 +176,10 @@ shape = { box = { centre_m = [0.0213, 0.0127, -0.1831], half_extents_m = [0.3, 0
 contact = "slip"
 from_s = 0.02
 )";
-  const std::string knife = R"(
-[[collider]]
-shape = { box = { centre_m = [0.023, 0.011, 0.317], half_extents_m = [0.031, 0.3, 0.3] } }
-expels = true
-friction = 0.2
-motion = [{ time_s = 0 }, { time_s = 0.1, position_m = [0, 0, -0.3] }]
-)";
   std::vector<RandomScene> all;
   for (const std::string kernel : {"quadratic", "cubic"})
     for (RandomScene r : std::vector<RandomScene>{
-             {.name = "cut", .tables = knife},
+             {.name = "cut", .tables = k_knife},
              {.name = "held", .tables = held},
              {.name = "held_backward_euler", .heat = "integrator = \"backward_euler\"", .tables = held},
              {.name = "poured", .tables = poured},
@@ -215,13 +216,6 @@ poisson_ratio = 0.1
 thickness_m = 0.02
 density_kg_per_m3 = 2000
 )";
-  const std::string knife = R"(
-[[collider]]
-shape = { box = { centre_m = [0.023, 0.011, 0.317], half_extents_m = [0.031, 0.3, 0.3] } }
-expels = true
-friction = 0.2
-motion = [{ time_s = 0 }, { time_s = 0.1, position_m = [0, 0, -0.3] }]
-)";
   std::vector<RandomScene> all;
   for (RandomScene r : every_model())
     if (r.effects.find("motion") != std::string::npos && r.motion.empty()) {
@@ -231,7 +225,7 @@ motion = [{ time_s = 0 }, { time_s = 0.1, position_m = [0, 0, -0.3] }]
   for (RandomScene r : std::vector<RandomScene>{{.name = "pic", .motion = "transfer = \"pic\""},
                                                 {.name = "heavy", .motion = "inertia_scale = 50"},
                                                 {.name = "backward_euler", .heat = "integrator = \"backward_euler\""},
-                                                {.name = "cut", .tables = knife}}) {
+                                                {.name = "cut", .tables = k_knife}}) {
     r.effects = k_everything;
     r.tables += skins;
     all.push_back(r);
