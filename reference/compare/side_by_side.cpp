@@ -167,7 +167,7 @@ std::vector<FieldDifference> SideBySide::differences() const {
   const bool same = std::equal(s.id.begin(), s.id.end(), particles.begin(), particles.end(),
                                [](std::int64_t id, const textbook::Particle& p) { return id == p.id; });
   if (!same) return {{"particles", k_infinity, 1}};
-  const std::optional<Mesh> skin = solver_->skin_mesh();
+  const std::optional<Mesh> skin = solver_->skin_mesh(solver_->frame());
   return from_textbook(
       [&](const ComparedField& field) {
         if (*field.column) return s[field.column];

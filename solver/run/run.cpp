@@ -154,7 +154,7 @@ class Run {
  private:
   void save_checkpoint() const;
   void save_series(int frame) const;
-  void save_frame(int frame, const PackedFrame& data, const std::optional<Mesh>& skin, const std::vector<double>& row);
+  void save_frame(int frame, const ShownFrame& shown, const std::vector<double>& row);
   void save_description(const char* state) const;
   bool advance();
   void expect_results() const;
@@ -190,7 +190,7 @@ void Run::begin() {
     save_description("running");
     ledger_.emplace(LedgerFile::create(results_.ledger(), ledger_columns()));
     if (!scene_.skins.empty()) results_.make_skins();
-    save_frame(0, simulation_->packed_frame(), simulation_->skin_mesh(), first_);
+    save_frame(0, simulation_->shown_frame(), first_);
   } catch (...) {
     fail();
     throw;
@@ -254,10 +254,10 @@ void Run::save_series(int frame) const {
 }
 
 /// Writes what a frame leaves; the ledger comes last, so that its rows are those of whole frames.
-void Run::save_frame(int frame, const PackedFrame& data, const std::optional<Mesh>& skin, const std::vector<double>& row) {
+void Run::save_frame(int frame, const ShownFrame& shown, const std::vector<double>& row) {
   try {
-    write_frame(results_.frame(frame), data);
-    if (skin) write_mesh(results_.skin(frame), *skin);
+    write_frame(results_.frame(frame), shown.particles);
+    if (shown.skin) write_mesh(results_.skin(frame), *shown.skin);
     save_series(frame);
     ledger_->append(row);
   } catch (const OutputError& error) {
@@ -329,9 +329,7 @@ RunSummary Run::go_on() {
       ++frame_;
       last_ = ledger_row(*simulation_);
       // packed here, by all threads: a thread of its own would take a core from the steps, whose threads wait for each other
-      writer_->put([this, frame = frame_, data = simulation_->packed_frame(), skin = simulation_->skin_mesh(), row = last_] {
-        save_frame(frame, data, skin, row);
-      });
+      writer_->put([this, frame = frame_, shown = simulation_->shown_frame(), row = last_] { save_frame(frame, shown, row); });
       progress_.update(standing());
     }
     const bool at_end = frame_ == times_.last(), stop = StopSignals::asked() && !at_end;

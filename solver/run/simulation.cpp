@@ -197,7 +197,7 @@ class SimulationOf final : public Simulation {
     return engine_.skins() ? engine_.skins()->sums() : none;
   }
 
-  std::optional<Mesh> skin_mesh() const override {
+  std::optional<Mesh> skin_mesh(const FrameData& flesh) const override {
     if (!engine_.skins()) return {};
     const Sheets<Real>& skins = *engine_.skins();
     Mesh mesh;
@@ -224,7 +224,7 @@ class SimulationOf final : public Simulation {
     mesh.fields.push_back(std::move(area));
     mesh.fields.push_back(std::move(curvature));
     mesh.fields.push_back(std::move(number));
-    for (MeshField& field : flesh_at(mesh.points, frame(), engine_.geometry().dx())) mesh.fields.push_back(std::move(field));
+    for (MeshField& field : flesh_at(mesh.points, flesh, engine_.geometry().dx())) mesh.fields.push_back(std::move(field));
     return mesh;
   }
 

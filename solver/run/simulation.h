@@ -30,6 +30,12 @@ struct Snapshot {
   const std::vector<double>& operator[](std::string_view column) const;  ///< throws std::out_of_range
 };
 
+/// What a frame shows, ready to be written.
+struct ShownFrame {
+  PackedFrame particles;
+  std::optional<Mesh> skin;  ///< of scenes with skins
+};
+
 class Simulation {
  public:
   /// Fills the scene and finds the first step, which does not go beyond `first_target` (default: the first frame). Throws InputError.
@@ -78,11 +84,14 @@ class Simulation {
   virtual Snapshot snapshot() const = 0;
   virtual FrameData frame() const = 0;  ///< ordered by identity, without the vertices of skins
   /// The skins, with what their vertices have: velocity, area_ratio, curvature, skin, and saturation and temperature of the flesh around.
-  /// Vertices that have left the domain stay where they were seen last, and their triangles are left out.
-  virtual std::optional<Mesh> skin_mesh() const = 0;
+  /// Vertices that have left the domain stay where they were seen last, and their triangles are left out. `flesh`: frame(), as of now.
+  virtual std::optional<Mesh> skin_mesh(const FrameData& flesh) const = 0;
   virtual const SkinSums& skin_sums() const = 0;  ///< at the last sample; zero without skins
-  void write_frame_file(const std::filesystem::path& path) const { write_frame(path, packed_frame()); }
-  PackedFrame packed_frame() const { return pack_frame(time(), frame()); }
+  void write_frame_file(const std::filesystem::path& path) const { write_frame(path, time(), frame()); }
+  ShownFrame shown_frame() const {
+    const FrameData flesh = frame();
+    return {pack_frame(time(), flesh), skin_mesh(flesh)};
+  }
   virtual std::size_t bytes() const = 0;
   virtual std::size_t active_nodes() const = 0;
   virtual std::string memory_words() const = 0;  ///< "19 columns, 76 bytes per particle; ..."
