@@ -146,6 +146,7 @@ struct Heat : Effect {
     const auto& settings = scene.template of<Heat>();
     model.implicit_heat = settings.integrator == Integrator::backward_euler;
     model.heat_tolerance = settings.tolerance;
+    model.printed_heat_transfer = settings.heat_transfer_form == Form::published;
     if (settings.heat_transfer_form == Form::standard)
       model.conductivity_channel = Model::Scattered::template offset<channel::Conductivity>;
     model.temperature_channel = Model::Gathered::template offset<channel::NodeTemperature>;

@@ -7,6 +7,7 @@
 
 #include "solver/boundary/obstacles.h"
 #include "solver/boundary/scripted.h"
+#include "solver/engine/engine_types.h"
 #include "solver/grid/grid.h"
 
 namespace bake {
@@ -17,7 +18,11 @@ struct Scene;
 struct ContactHeat {
   double heat_transfer_coefficient = 0;  ///< beta [W/(m^2 K)]
   double temperature = 0;                ///< theta [C]
-  bool operator==(const ContactHeat&) const = default;
+  int giver = -1;                        ///< number of the collider among givers_of(scene), if the ledger tells what it gives
+  /// Whoever gives it.
+  bool operator==(const ContactHeat& other) const {
+    return heat_transfer_coefficient == other.heat_transfer_coefficient && temperature == other.temperature;
+  }
 };
 
 /// A temperature that a grip holds, and how far away [C, m].
@@ -51,7 +56,9 @@ class Contacts final : public Obstacles {
   bool collider_near(const BlockIndex& block, double reach) const;
   /// Is there something that expels particles within `reach` of the block?
   bool expels_near(const BlockIndex& block, double reach) const;
-  bool push_out(Point& x, Vector3& v) const override;
+  bool push_out(Point& x, Vector3& v, double mass) const override { return push_out(x, v, mass, nullptr); }
+  /// The same; adds to `given`, if not null, what each of givers_of(scene) gave.
+  bool push_out(Point& x, Vector3& v, double mass, Given* given) const;
   /// Applies every contact to a node: returns the velocity after contact. `around`: the nodes around one that may be beside a collider
   /// (see reach_beside_colliders), before contact.
   ///
@@ -61,7 +68,13 @@ class Contacts final : public Obstacles {
   /// only nodes inside moved, with the velocity of the collider, the last layer of dough, which nothing holds but the next node inside,
   /// would be squashed before the rest is pressed. Whether dough touches is known from the mass of the column's nodes beside that of node
   /// k.
-  Vector3 velocity_after(const Point& x, Vector3 v, const NodesAround* around = nullptr) const;
+  Vector3 velocity_after(const Point& x, Vector3 v, const NodesAround* around = nullptr) const {
+    return after_all<false>(x, v, around, 0, nullptr);
+  }
+  /// The same of a node of the mass `mass`; adds to `given` what each of givers_of(scene) gave.
+  Vector3 velocity_after(const Point& x, Vector3 v, const NodesAround* around, double mass, Given* given) const {
+    return after_all<true>(x, v, around, mass, given);
+  }
   /// All nodes that contact with a collider depends on are no further from it than this [m].
   double reach_beside_colliders() const { return 2.1 * geometry_.dx(); }
   /// Does a solid stand within `reach` of a surface at `x`, in front of its outward normal `n` if that is known: does its nearest face look
@@ -89,6 +102,7 @@ class Contacts final : public Obstacles {
     std::optional<Curve> temperature;
     double heat_transfer_coefficient;
     double speed;  ///< largest in the domain over its whole path [m/s]
+    int giver;     ///< its number among givers_of(scene), or -1
   };
   struct Present {
     const Contacting* contact;
@@ -96,6 +110,8 @@ class Contacts final : public Obstacles {
     Box3 bounds;
     double temperature;
   };
+  template <bool tells>
+  Vector3 after_all(const Point& x, Vector3 v, const NodesAround* around, double mass, Given* given) const;
   bool reaches(const Present& present, const BlockIndex& block, double reach) const;
   /// Distance of `x` from it, negative inside; none if that is more than `reach`.
   static std::optional<double> distance_within(const Present& present, const Point& x, double reach);
@@ -106,16 +122,17 @@ class Contacts final : public Obstacles {
   /// A node this close to a solid is in it: faces are often drawn through nodes, whose positions are rounded [m].
   double touching() const { return 1e-6 * geometry_.dx(); }
 
-  struct DomainFace {
+  struct FaceOfDomain {
     int axis;
     double sign;  ///< of the inward normal
     double at;    ///< [m]
     Rule rule;
+    int giver;
   };
 
   std::vector<Contacting> all_;
   std::vector<Present> present_;
-  std::vector<DomainFace> faces_;
+  std::vector<FaceOfDomain> faces_;
   double face_friction_;
   const GridGeometry geometry_;
   bool has_colliders_ = false, holds_temperatures_ = false;

@@ -7,6 +7,7 @@
 #include "solver/core/parallel.h"
 #include "solver/effects/fields.h"
 #include "solver/io/progress.h"
+#include "solver/scene/givers.h"
 
 namespace bake {
 
@@ -19,6 +20,7 @@ Engine<Real>::Engine(const Scene& scene)
       contacts_(scene, geometry_),
       scratch_(static_cast<std::size_t>(omp_get_max_threads())) {
   store_.columns = spare_.columns = physics_->column_count;
+  given_.resize(givers_of(scene).size());
 }
 
 template <class Real>
@@ -119,6 +121,11 @@ void Engine<Real>::pass(double next_dt, bool sample) {
     w.velocity = velocity_.data();
   }
   results_.resize(store_.blocks.size());
+  if (!given_.empty()) {
+    home_given_.assign(store_.blocks.size() * given_.size(), {});
+    w.given = home_given_.data();
+    w.givers = given_.size();
+  }
   for (const auto& columns : colours_.columns)
     for_each_parallel(columns.size(), 1, [&](std::size_t c) {
       Scratch<Real>& scratch = scratch_[static_cast<std::size_t>(omp_get_thread_num())];
@@ -132,6 +139,7 @@ void Engine<Real>::pass(double next_dt, bool sample) {
     highest_.fill(k_lowest);
   }
   reduce(results_);
+  if (!given_.empty()) sum_given(home_given_);
   std::vector<Migrant<Real>> migrants;
   for (auto& r : results_)
     for (auto& e : r.migrants) migrants.push_back(std::move(e));
@@ -148,6 +156,16 @@ void Engine<Real>::reduce(const std::vector<BlockResult<Real>>& results) {
     raise_to(bounds_, r.bounds);
     raise_to(highest_, r.highest);
     counters_.clamped += r.clamped;
+  }
+}
+
+/// In the order of the blocks.
+template <class Real>
+void Engine<Real>::sum_given(const std::vector<Given>& of_blocks) {
+  for (std::size_t i = 0; i < of_blocks.size(); ++i) {
+    Given& sum = given_[i % given_.size()];
+    sum.impulse = sum.impulse + of_blocks[i].impulse;
+    sum.heat += of_blocks[i].heat;
   }
 }
 

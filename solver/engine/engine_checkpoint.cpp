@@ -75,6 +75,9 @@ void Engine<Real>::write(CheckpointWriter& out) const {
   const std::int64_t counts[] = {counters_.steps,   counters_.particle_steps, counters_.orderings, counters_.clamped,
                                  counters_.retired, next_identity_,           last_sorted_};
   out.add("counts", std::span<const std::int64_t>(counts));
+  std::vector<double> given;
+  for (const Given& g : given_) given.insert(given.end(), {g.impulse[0], g.impulse[1], g.impulse[2], g.heat});
+  if (!given.empty()) out.add("given", std::span<const double>(given));
   if (skins_) skins_->write(out);
 }
 
@@ -139,6 +142,12 @@ void Engine<Real>::read(const CheckpointReader& in) {
   std::copy(totals.begin(), totals.end(), totals_.begin());
   std::copy(retired.begin(), retired.end(), retired_.begin());
   std::copy(emitted.begin(), emitted.end(), emitted_.begin());
+  if (!given_.empty()) {
+    const auto given = in.array<double>("given");
+    expect(given.size() == 4 * given_.size());
+    expect_numbers(given, false);
+    for (std::size_t i = 0; i < given_.size(); ++i) given_[i] = {{given[4 * i], given[4 * i + 1], given[4 * i + 2]}, given[4 * i + 3]};
+  }
   time_ = numbers[0], dt_ = numbers[1];
   std::copy(bounds.begin(), bounds.end(), bounds_.begin());
   std::copy(highest.begin(), highest.end(), highest_.begin());

@@ -229,9 +229,11 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
   conductivity_.resize(conductivity_channel < 0 ? 0 : n);
   for (auto* field : {&volume_, &mirrored_, &smooth_, &filled_, &density_, &bend_}) field->resize(n);
   covers_.resize(n);
+  shares_.resize(n);
   blocks_.assign(n, {});
   for_each_parallel(n, 16, [&](std::size_t s) {
     covers_[s].clear();
+    shares_[s].clear();
     if (!active.touched[s]) return;
     const auto take = [&](int channel, Nodes& to) {
       for (std::size_t k = 0; k < k_block_nodes; ++k)
@@ -359,10 +361,43 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
             if (cover == covers_[s].end()) cover = covers_[s].insert(cover, Cover{*heat, {}, {}});
             cover->density[k] = covered[k];
             cover->bend[k] = covered_bend[k];
+            if (heat->giver < 0) return;
+            auto share = std::find_if(shares_[s].begin(), shares_[s].end(), [&](const Share& h) { return h.giver == heat->giver; });
+            if (share == shares_[s].end()) share = shares_[s].insert(share, Share{heat->giver, *heat, {}});
+            share->density[k] = covered[k];
           });
 }
 
+/// Null if no solid with that heat covers the block.
+template <class Real>
+const typename FreeSurfaceMeasure<Real>::Nodes* FreeSurfaceMeasure<Real>::of_cover(std::size_t slot, const ContactHeat& heat,
+                                                                                   Nodes Cover::*nodes) const {
+  for (const Cover& cover : covers_[slot])
+    if (cover.heat == heat) return &(cover.*nodes);
+  return nullptr;
+}
+
+/// Blurred r and r K of a block. False, and nothing done, if there is none around.
+template <class Real>
+template <class DensityOf, class BendOf>
+bool FreeSurfaceMeasure<Real>::find_blurred(std::size_t s, const ActiveBlocks& active, DensityOf density_of, BendOf bend_of, Nodes& r,
+                                            Nodes& bend) const {
+  Halo<Real, k_narrow> halo;
+  if (!load_halo<k_narrow>(active.around[s], density_of, halo)) return false;
+  blur(halo, Real(1), r);
+  load_halo<k_narrow>(active.around[s], bend_of, halo);
+  blur(halo, Real(1), bend);
+  return true;
+}
+
 /// A = V r f with blurred r, and what passes: the layer between the nodes and the surface conducts as well.
+template <class Real>
+typename FreeSurfaceMeasure<Real>::Passing FreeSurfaceMeasure<Real>::passing(std::size_t s, std::size_t k, Real r, Real bend,
+                                                                             Real beta) const {
+  const Real V = volume_[s][k], A = V * r * unrounded(r, bend, rounding_);
+  return {A, conductivity_.empty() ? A : A * layer_.share_that_passes(beta * V, conductivity_[s][k])};
+}
+
 template <class Real>
 bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& active, const Air& air, BlockSurroundings<Real>& out) const {
   if (!published_.empty()) {
@@ -370,22 +405,16 @@ bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& activ
     return true;
   }
   if (!blocks_[s].has_volume) return false;
-  const Nodes& V = volume_[s];
   bool any = false;
-  Halo<Real, k_narrow> halo;
   const auto add = [&](auto density_of, auto bend_of, Real(&area)[k_block_nodes], double coefficient, double temperature) {
-    if (!load_halo<k_narrow>(active.around[s], density_of, halo)) return;
+    Nodes r, bend;
+    if (!find_blurred(s, active, density_of, bend_of, r, bend)) return;
     if (!any) out = {};
     any = true;
-    Nodes r, bend;
-    blur(halo, Real(1), r);
-    load_halo<k_narrow>(active.around[s], bend_of, halo);
-    blur(halo, Real(1), bend);
     const auto beta = static_cast<Real>(coefficient), beta_theta = static_cast<Real>(coefficient * temperature);
     for (std::size_t k = 0; k < k_block_nodes; ++k) {
-      const Real A = V[k] * r[k] * unrounded(r[k], bend[k], rounding_);
+      const auto [A, passes] = passing(s, k, r[k], bend[k], beta);
       area[k] += A;
-      const Real passes = conductivity_.empty() ? A : A * layer_.share_that_passes(beta * V[k], conductivity_[s][k]);
       out.heat_transfer[k] += beta * passes;
       out.heat_transfer_source[k] += beta_theta * passes;
     }
@@ -393,16 +422,48 @@ bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& activ
   add([&](std::size_t i) { return blocks_[i].has_density ? &density_[i] : nullptr; },
       [&](std::size_t i) { return blocks_[i].has_density ? &bend_[i] : nullptr; }, out.area, air.heat_transfer_coefficient,
       air.temperature);
-  for (const ContactHeat& heat : heats_) {
-    const auto of_cover = [&](std::size_t i, Nodes Cover::*nodes) -> const Nodes* {
-      for (const Cover& cover : covers_[i])
-        if (cover.heat == heat) return &(cover.*nodes);
-      return nullptr;
-    };
-    add([&](std::size_t i) { return of_cover(i, &Cover::density); }, [&](std::size_t i) { return of_cover(i, &Cover::bend); },
+  for (const ContactHeat& heat : heats_)
+    add([&](std::size_t i) { return of_cover(i, heat, &Cover::density); }, [&](std::size_t i) { return of_cover(i, heat, &Cover::bend); },
         out.contact_area, heat.heat_transfer_coefficient, heat.temperature);
-  }
   return any;
+}
+
+/// Of all covers with the same heat a giver has the share that its r has of theirs.
+template <class Real>
+void FreeSurfaceMeasure<Real>::tell(std::size_t s, const ActiveBlocks& active,
+                                    const std::function<void(int, int, double, double)>& visit) const {
+  if (!published_.empty()) {
+    for (std::size_t k = 0; k < k_block_nodes; ++k)
+      if (const int giver = published_givers_[s][k]; giver >= 0)
+        visit(giver, static_cast<int>(k), double(published_[s].heat_transfer[k]), double(published_[s].heat_transfer_source[k]));
+    return;
+  }
+  if (!blocks_[s].has_volume) return;
+  std::vector<std::pair<int, ContactHeat>> givers;  // in the order of their numbers
+  for (const std::int32_t slot : active.around[s]) {
+    if (slot < 0) continue;
+    for (const Share& share : shares_[static_cast<std::size_t>(slot)]) {
+      const auto at = std::find_if(givers.begin(), givers.end(), [&](const auto& giver) { return giver.first >= share.giver; });
+      if (at == givers.end() || at->first != share.giver) givers.insert(at, {share.giver, share.heat});
+    }
+  }
+  for (const auto& [giver, heat] : givers) {
+    const auto of_giver = [&, number = giver](std::size_t i) -> const Nodes* {
+      const auto share = std::find_if(shares_[i].begin(), shares_[i].end(), [&](const Share& h) { return h.giver == number; });
+      return share == shares_[i].end() ? nullptr : &share->density;
+    };
+    Nodes all, bend, own, same;
+    find_blurred(
+        s, active, [&, &heat = heat](std::size_t i) { return of_cover(i, heat, &Cover::density); },
+        [&, &heat = heat](std::size_t i) { return of_cover(i, heat, &Cover::bend); }, all, bend);
+    find_blurred(s, active, of_giver, of_giver, own, same);
+    for (std::size_t k = 0; k < k_block_nodes; ++k) {
+      if (!(own[k] > 0)) continue;
+      const double beta = heat.heat_transfer_coefficient;
+      const double transfer = beta * double(passing(s, k, all[k], bend[k], static_cast<Real>(beta)).passes) * double(own[k] / all[k]);
+      visit(giver, static_cast<int>(k), transfer, transfer * heat.temperature);
+    }
+  }
 }
 
 template class FreeSurfaceMeasure<float>;

@@ -104,6 +104,8 @@ class SimulationOf final : public Simulation {
     }
     return 0;
   }
+  const std::vector<Giver>& givers() const override { return givers_; }
+  const std::vector<Given>& given() const override { return engine_.given(); }
   Box3 extent() const override {
     Box3 box{{k_infinity, k_infinity, k_infinity}, {-k_infinity, -k_infinity, -k_infinity}};
     for_each_particle([&](const ParticleSlot& p) {
@@ -318,6 +320,7 @@ class SimulationOf final : public Simulation {
   }
 
   const Scene scene_;
+  const std::vector<Giver> givers_ = givers_of(scene_);
   Engine<Real> engine_;
   std::vector<std::unique_ptr<EmitterState>> emitters_;
 };

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "solver/effects/all_effects.h"
 #include "solver/effects/skin_of_scene.h"
+#include "solver/scene/describe.h"
 #include "solver/scene/nearest.h"
 
 namespace bake {
@@ -44,6 +46,20 @@ void check_saturation(const SceneEntry& entry, const T& value, const Scene& scen
       Complaint(entry).at("saturation",
                           "found {} of the volume water and {} gas (the material's initial_porosity), allowed: together at most 1",
                           *value.saturation, material.initial_porosity);
+}
+
+/// The columns of the ledger are called by the name of what has `ledger = true`: it needs one of its own.
+template <class T>
+void check_ledger(const SceneEntry& entry, const T& value, const std::vector<T>& before) {
+  if (!value.ledger) return;
+  const auto fits = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  if (value.name.empty() || !std::all_of(value.name.begin(), value.name.end(), fits))
+    Complaint(entry).at("ledger",
+                        "found true and the name \"{}\", allowed: with a name of letters, digits and _, by which its columns are called",
+                        quotable(value.name));
+  for (const T& other : before)
+    if (other.ledger && other.name == value.name)
+      Complaint(entry).at("ledger", "found true and the name '{}' again, allowed: with a name of its own", value.name);
 }
 
 /// A shape that is filled with particles must be bounded.
@@ -99,14 +115,24 @@ void check(const SceneEntry& entry, const Body& value, const Scene& scene) {
   check_saturation(entry, value, scene);
 }
 
-void check(const SceneEntry& entry, const Collider& value, const Scene&) {
+void check(const SceneEntry& entry, const Collider& value, const Scene& scene) {
   check_keyframes(entry, value.motion);
   check_span(entry, value);
+  check_ledger(entry, value, scene.colliders);
 }
 
-void check(const SceneEntry& entry, const Grip& value, const Scene&) {
+void check(const SceneEntry& entry, const Grip& value, const Scene& scene) {
   check_keyframes(entry, value.motion);
   check_span(entry, value);
+  check_ledger(entry, value, scene.grips);
+}
+
+void check(const SceneEntry& entry, const DomainFace& value, const Scene& scene) {
+  const char* name = word_of(value.at);
+  for (const DomainFace& other : scene.faces)
+    if (other.at == value.at) Complaint(entry).at("at", "found '{}' again, allowed: each face once", name);
+  if (scene.domain.face(value.at) == Face::open)
+    Complaint(entry).at("at", "found '{}', which is open: nothing is there that could give anything, allowed: a closed face", name);
 }
 
 void check(const SceneEntry& entry, const Emitter& value, const Scene& scene) {

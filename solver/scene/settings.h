@@ -57,6 +57,10 @@ struct GridSettings {
 enum class Face { sticky, slip, separating, open };
 constexpr auto choice_names(Face) { return std::array{"sticky", "slip", "separating", "open"}; }
 
+/// The faces of the domain.
+enum class DomainSide { x_min, x_max, y_min, y_max, z_min, z_max };
+constexpr auto choice_names(DomainSide) { return std::array{"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"}; }
+
 /// [domain] - the box that is simulated. Its far corner is rounded outwards to a whole number of cells.
 struct DomainSettings {
   Vector3 min_m = {0, 0, 0};
@@ -65,6 +69,7 @@ struct DomainSettings {
   Face y_min = Face::separating, y_max = Face::separating;
   Face z_min = Face::separating, z_max = Face::separating;
   double friction = 0;
+  Face face(DomainSide side) const { return std::array{x_min, x_max, y_min, y_max, z_min, z_max}[static_cast<std::size_t>(side)]; }
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"min_m", &DomainSettings::min_m, "m", any_number, "lower corner of the simulated box", Presence::required},
