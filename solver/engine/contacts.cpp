@@ -72,12 +72,27 @@ Contacts::Contacts(const Scene& scene, const GridGeometry& geometry)
     const Rule rule = faces[i] == Face::sticky ? Rule::sticky : faces[i] == Face::slip ? Rule::slip : Rule::separating;
     faces_.push_back({axis, i % 2 ? -1.0 : 1.0, at, rule, giver_at[i]});
   }
+  for (const DomainFace& f : scene.faces) {
+    if (!f.passes_heat()) continue;
+    const int face = static_cast<int>(f.at), axis = face / 2;
+    const double at = geometry.origin({0, 0, 0})[static_cast<std::size_t>(axis)] +
+                      (face % 2 ? geometry.high_face(axis) : geometry.low_face()) * geometry.dx();
+    ContactHeat heat;
+    if (f.temperature_C) heat.heat_transfer_coefficient = f.heat_transfer_coefficient_W_per_m2K.value_or(k_infinity);
+    heat.giver = giver_at[face];
+    walls_.push_back({axis, face % 2 ? -1.0 : 1.0, at, f.temperature_C, f.heat_flux_W_per_m2, heat});
+    is_mirror_[static_cast<std::size_t>(face)] = false;
+  }
 }
 
 void Contacts::prepare(double time) {
   present_.clear();
   largest_speed_ = 0;
   expels_ = false;
+  for (Wall& w : walls_) {
+    if (w.temperature) w.heat.temperature = (*w.temperature)(time);
+    if (w.flux) w.heat.flux = (*w.flux)(time);
+  }
   for (const Contacting& c : all_) {
     if (!c.scripted.present(time)) continue;
     const RigidState pose = c.scripted.path.at(time);
@@ -85,6 +100,13 @@ void Contacts::prepare(double time) {
     largest_speed_ = std::max(largest_speed_, c.speed);
     expels_ |= c.expels;
   }
+}
+
+bool Contacts::cover_near(const BlockIndex& block, double reach) const {
+  if (collider_near(block, reach)) return true;
+  const Point low = geometry_.origin(block), high = low + Vector3{3, 3, 3} * geometry_.dx();
+  return std::any_of(walls_.begin(), walls_.end(),
+                     [&](const Wall& w) { return std::min(w.distance(low), w.distance(high)) <= reach + touching(); });
 }
 
 bool Contacts::near(const BlockIndex& block, double reach) const {
@@ -224,19 +246,22 @@ std::optional<ContactHeat> Contacts::covering(const Point& x, const std::optiona
       if (!ahead) continue;  // the surface looks elsewhere
     }
     if (!p.contact->temperature) return ContactHeat{};
-    return ContactHeat{p.contact->heat_transfer_coefficient, p.temperature, p.contact->giver};
+    return ContactHeat{p.contact->heat_transfer_coefficient, p.temperature, 0, p.contact->giver};
   }
+  for (const Wall& w : walls_)
+    if (w.distance(x) <= reach && (!n || w.sign * (*n)[static_cast<std::size_t>(w.axis)] <= -0.5)) return w.heat;
   return std::nullopt;
 }
 
 double Contacts::room(const Point& x) const {
   double room = 1;
-  for (const Present& p : present_) {
-    const auto distance = p.contact->rule == Rule::grip ? std::nullopt : distance_within(p, x, 2.5 * geometry_.dx());
-    if (!distance) continue;
-    const double d = *distance / geometry_.dx();
+  const auto take = [&](double distance) {
+    const double d = distance / geometry_.dx();
     room *= 1 - (beyond(d - 1) + 2 * beyond(d) + beyond(d + 1)) / 4;
-  }
+  };
+  for (const Present& p : present_)
+    if (const auto distance = p.contact->rule == Rule::grip ? std::nullopt : distance_within(p, x, 2.5 * geometry_.dx())) take(*distance);
+  for (const Wall& w : walls_) take(w.distance(x));
   return room;
 }
 

@@ -2,6 +2,7 @@
 // What touches the dough: colliders, grips and the faces of the domain, acting on the velocities of grid nodes.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -14,14 +15,16 @@ namespace bake {
 
 struct Scene;
 
-/// Heat that a collider offers to the dough it touches.
+/// Heat that a collider or a face of the domain offers to the dough it touches.
 struct ContactHeat {
-  double heat_transfer_coefficient = 0;  ///< beta [W/(m^2 K)]
+  double heat_transfer_coefficient = 0;  ///< beta [W/(m^2 K)]; infinite: the dough's surface has that temperature
   double temperature = 0;                ///< theta [C]
-  int giver = -1;                        ///< number of the collider among givers_of(scene), if the ledger tells what it gives
+  double flux = 0;                       ///< that comes in whatever the temperatures are [W/m^2]
+  bool is_simple() const { return heat_transfer_coefficient < k_infinity && flux == 0; }
+  int giver = -1;  ///< number of who it is among givers_of(scene), if the ledger tells what it gives
   /// Whoever gives it.
   bool operator==(const ContactHeat& other) const {
-    return heat_transfer_coefficient == other.heat_transfer_coefficient && temperature == other.temperature;
+    return heat_transfer_coefficient == other.heat_transfer_coefficient && temperature == other.temperature && flux == other.flux;
   }
 };
 
@@ -54,6 +57,10 @@ class Contacts final : public Obstacles {
   bool near(const BlockIndex& block, double reach) const;
   /// Does a collider lie within `reach` of the block?
   bool collider_near(const BlockIndex& block, double reach) const;
+  /// Does a collider or a face of the domain that passes heat lie within `reach` of the block?
+  bool cover_near(const BlockIndex& block, double reach) const;
+  /// Is dough mirrored at that face of the domain (x_min, x_max, y_min, ...) when its surface is measured? Not where heat passes.
+  bool is_mirror(int face) const { return is_mirror_[static_cast<std::size_t>(face)]; }
   /// Is there something that expels particles within `reach` of the block?
   bool expels_near(const BlockIndex& block, double reach) const;
   bool push_out(Point& x, Vector3& v, double mass) const override { return push_out(x, v, mass, nullptr); }
@@ -77,11 +84,12 @@ class Contacts final : public Obstacles {
   }
   /// All nodes that contact with a collider depends on are no further from it than this [m].
   double reach_beside_colliders() const { return 2.1 * geometry_.dx(); }
-  /// Does a solid stand within `reach` of a surface at `x`, in front of its outward normal `n` if that is known: does its nearest face look
-  /// against n, or is a face nearer by reach / 2 if one goes that far along n, as where walls meet? Its heat, zero if it gives none.
+  /// Does a solid, or a face that passes heat, stand within `reach` of a surface at `x`, in front of its outward normal `n` if that is
+  /// known: does its nearest face look against n, or is a face nearer by reach / 2 if one goes that far along n, as where walls meet? Its
+  /// heat, zero if it gives none.
   std::optional<ContactHeat> covering(const Point& x, const std::optional<Vector3>& n, double reach) const;
-  /// The share that colliders leave to the dough of what is averaged into phi~ at `x` (surface.h): 1 from 2.5 dx on, one half on the
-  /// face of one, 0 inside. Grips take nothing, since they hold dough.
+  /// The share that colliders and faces that pass heat leave to the dough of what is averaged into phi~ at `x` (surface.h): 1 from 2.5 dx
+  /// on, one half on the face of one, 0 inside. Grips take nothing, since they hold dough.
   double room(const Point& x) const;
   /// The nearest grip that holds a temperature, if one is within `reach` of `x`; distances in it are negative.
   std::optional<HeldNear> held_near(const Point& x, double reach) const;
@@ -130,9 +138,21 @@ class Contacts final : public Obstacles {
     int giver;
   };
 
+  /// A face of the domain that passes heat: for the measure of the surface a solid that fills the space beyond it.
+  struct Wall {
+    int axis;
+    double sign;  ///< of the inward normal
+    double at;    ///< [m]
+    std::optional<Curve> temperature, flux;
+    ContactHeat heat;  ///< at present
+    double distance(const Point& x) const { return sign * (x[static_cast<std::size_t>(axis)] - at); }
+  };
+
   std::vector<Contacting> all_;
   std::vector<Present> present_;
   std::vector<FaceOfDomain> faces_;
+  std::vector<Wall> walls_;
+  std::array<bool, 6> is_mirror_{true, true, true, true, true, true};
   double face_friction_;
   const GridGeometry geometry_;
   bool has_colliders_ = false, holds_temperatures_ = false;

@@ -92,7 +92,9 @@ class FreeSurfaceMeasure {
   template <class DensityOf, class BendOf>
   bool find_blurred(std::size_t slot, const ActiveBlocks& active, DensityOf density_of, BendOf bend_of, Nodes& r, Nodes& bend) const;
   Passing passing(std::size_t slot, std::size_t node, Real r, Real bend, Real beta) const;
-  void mirror(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry);
+  /// Heat transfer [W/K] through an area, and its source [W], where its temperature is held or a flux comes in.
+  std::pair<Real, Real> through(std::size_t slot, std::size_t node, Real area, const ContactHeat& heat) const;
+  void mirror(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
   void smooth(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
   void find_density(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
 

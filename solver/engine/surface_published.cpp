@@ -92,7 +92,7 @@ void FreeSurfaceMeasure<Real>::measure_published(const ParticleStore<Real>& stor
     });
   });
   for (std::size_t s = 0; s < n; ++s) {
-    const bool near_contact = contacts.near(active.at[s], geometry.dx());
+    const bool near_contact = contacts.near(active.at[s], geometry.dx()) || contacts.cover_near(active.at[s], geometry.dx());
     BlockSurroundings<Real>& out = published_[s];
     for (int k = 0; k < k_block_nodes; ++k) {
       const Point x = node_position(geometry.origin(active.at[s]), geometry.dx(), k);
@@ -103,6 +103,7 @@ void FreeSurfaceMeasure<Real>::measure_published(const ParticleStore<Real>& stor
       out.heat_transfer[k] = A * static_cast<Real>(cover ? cover->heat_transfer_coefficient : air.heat_transfer_coefficient);
       out.heat_transfer_source[k] = A * static_cast<Real>(cover ? cover->heat_transfer_coefficient * cover->temperature
                                                                 : air.heat_transfer_coefficient * air.temperature);
+      if (cover) out.heat_transfer_source[k] += A * static_cast<Real>(cover->flux);
     }
   }
 }

@@ -133,6 +133,11 @@ void check(const SceneEntry& entry, const DomainFace& value, const Scene& scene)
     if (other.at == value.at) Complaint(entry).at("at", "found '{}' again, allowed: each face once", name);
   if (scene.domain.face(value.at) == Face::open)
     Complaint(entry).at("at", "found '{}', which is open: nothing is there that could give anything, allowed: a closed face", name);
+  if (value.temperature_C && value.heat_flux_W_per_m2)
+    Complaint(entry).at("heat_flux_W_per_m2", "found beside temperature_C, allowed: one of them");
+  if (value.heat_transfer_coefficient_W_per_m2K && !value.temperature_C)
+    Complaint(entry).at("heat_transfer_coefficient_W_per_m2K", "found without temperature_C, allowed: with it");
+  for_each_effect([&]<class E>() { BAKE_CALL(E, check_face, scene, value, Complaint(entry)); });
 }
 
 void check(const SceneEntry& entry, const Emitter& value, const Scene& scene) {

@@ -143,13 +143,24 @@ struct Grip {
   }
 };
 
-/// [[face]] - what a face of the domain does beside its rule for motion, which stands in [domain].
+/// [[face]] - what a face of the domain does beside its rule for motion, which stands in [domain]. One that passes no heat is a mirror.
 struct DomainFace {
   DomainSide at = DomainSide::x_min;
+  std::optional<Curve> temperature_C;
+  std::optional<double> heat_transfer_coefficient_W_per_m2K;  ///< unset: the dough's surface has the wall's temperature
+  std::optional<Curve> heat_flux_W_per_m2;
+  bool passes_heat() const { return temperature_C || heat_flux_W_per_m2; }
   bool ledger = false;
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"at", &DomainFace::at, "", any_number, "which face; its rule for motion stands in [domain]", Presence::required},
+        Parameter{"temperature_C", &DomainFace::temperature_C, "C", above_absolute_zero,
+                  "conductive theta of the wall behind the face over time; without it and without a flux no heat passes"},
+        Parameter{
+            "heat_transfer_coefficient_W_per_m2K", &DomainFace::heat_transfer_coefficient_W_per_m2K, "W/(m^2 K)", non_negative,
+            "conductive beta: heat transfer coefficient between wall and dough; without it the dough's surface has the wall's temperature"},
+        Parameter{"heat_flux_W_per_m2", &DomainFace::heat_flux_W_per_m2, "W/m^2", any_number,
+                  "heat that comes in through the face per area and time, over time; instead of a temperature"},
         Parameter{"ledger", &DomainFace::ledger, "", any_number,
                   "the ledger tells which impulse and heat it gave: columns `face_<at>_impulse_x_kg_m_per_s` and so on"},
     };

@@ -74,7 +74,8 @@ struct DomainSettings {
     return std::tuple{
         Parameter{"min_m", &DomainSettings::min_m, "m", any_number, "lower corner of the simulated box", Presence::required},
         Parameter{"max_m", &DomainSettings::max_m, "m", any_number, "upper corner of the simulated box", Presence::required},
-        Parameter{"x_min", &DomainSettings::x_min, "", any_number, "rule at the face of smallest x (heat and water never pass a face)"},
+        Parameter{"x_min", &DomainSettings::x_min, "", any_number,
+                  "rule at the face of smallest x (water never passes a face, heat where a [[face]] says so)"},
         Parameter{"x_max", &DomainSettings::x_max, "", any_number, "rule at the face of largest x"},
         Parameter{"y_min", &DomainSettings::y_min, "", any_number, "rule at the face of smallest y"},
         Parameter{"y_max", &DomainSettings::y_max, "", any_number, "rule at the face of largest y"},
