@@ -39,10 +39,10 @@ textbook::Rule plain(Contact contact) {
 }
 
 textbook::Rule plain(Face face) {
-  return face == Face::open     ? textbook::Rule::open
-         : face == Face::sticky ? textbook::Rule::sticky
-         : face == Face::slip   ? textbook::Rule::slip
-                                : textbook::Rule::separating;
+  return face == Face::open || face == Face::periodic ? textbook::Rule::open
+         : face == Face::sticky                       ? textbook::Rule::sticky
+         : face == Face::slip                         ? textbook::Rule::slip
+                                                      : textbook::Rule::separating;
 }
 
 textbook::Material plain(const Material& m) {
@@ -130,6 +130,8 @@ textbook::Recipe recipe_of(const Scene& scene) {
     for (int side = 0; side < 2; ++side) r.faces[axis][side] = plain(faces[axis][side]);
   for (const DomainFace& face : scene.faces)
     if (face.passes_heat()) r.mirrors[static_cast<int>(face.at) / 2][static_cast<int>(face.at) % 2] = false;
+  for (int axis = 0; axis < 3; ++axis)
+    if (domain.is_periodic(axis)) r.periodic[axis] = true, r.mirrors[axis][0] = r.mirrors[axis][1] = false;
   r.face_friction = domain.friction;
   r.kernel = scene.grid.kernel == KernelOrder::cubic ? textbook::Kernel::cubic : textbook::Kernel::quadratic;
 

@@ -59,10 +59,12 @@ struct Recipe {
   bool motion = false, heat = false, water = false, elasticity = false, plasticity = false, leavening = false;
   std::vector<Material> materials;
 
-  double dx = 0;                                                    ///< [m]
-  Vector low;                                                       ///< corner of the domain, a node [m]
-  int cells[3] = {};                                                ///< of the domain
-  Rule faces[3][2] = {};                                            ///< lower and upper face of each axis
+  double dx = 0;                             ///< [m]
+  Vector low;                                ///< corner of the domain, a node [m]
+  int cells[3] = {};                         ///< of the domain
+  Rule faces[3][2] = {};                     ///< lower and upper face of each axis
+  bool periodic[3] = {false, false, false};  ///< the two faces of an axis are one
+  bool is_periodic() const { return periodic[0] || periodic[1] || periodic[2]; }
   bool mirrors[3][2] = {{true, true}, {true, true}, {true, true}};  ///< faces that dough is mirrored at when its surface is measured
   double face_friction = 0;
   Kernel kernel = Kernel::quadratic;

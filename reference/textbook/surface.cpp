@@ -201,15 +201,16 @@ void measure_published_surface(const std::vector<Particle>& particles, const Sur
   grid.for_each([&](const Index& i, const Node&) { boundary[grid.number(i)] = at_boundary(i); });
   for (const Particle& p : particles)
     for_each_node(grid, p.x, grid.recipe().kernel, [&](const Index& i, const Overlap& o) {
-      Nearest& best = nearest[grid.number(i)];
-      if (boundary[grid.number(i)] && length(o.r) < best.distance) best = {length(o.r), &p};
+      const std::size_t number = grid.number(grid.home(i));
+      Nearest& best = nearest[number];
+      if (boundary[number] && length(o.r) < best.distance) best = {length(o.r), &p};
     });
   std::vector<const Particle*> marked;
   for (const Nearest& n : nearest)
     if (n.particle && std::find(marked.begin(), marked.end(), n.particle) == marked.end()) marked.push_back(n.particle);
   for (const Particle* p : marked) {
     const double pi = std::acos(-1.0), radius = std::cbrt(3 * p->V() / (4 * pi)), S = pi * radius * radius;
-    for_each_node(grid, p->x, grid.recipe().kernel, [&](const Index& i, const Overlap& o) { grid[i].area += o.w * S; });
+    for_each_node(grid, p->x, grid.recipe().kernel, [&](const Index& i, const Overlap& o) { grid[grid.home(i)].area += o.w * S; });
   }
   grid.for_each([&](const Index& i, Node& node) {
     if (!(node.area > 0)) return;

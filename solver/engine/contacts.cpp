@@ -65,7 +65,8 @@ Contacts::Contacts(const Scene& scene, const GridGeometry& geometry)
   const Face faces[6] = {scene.domain.x_min, scene.domain.x_max, scene.domain.y_min,
                          scene.domain.y_max, scene.domain.z_min, scene.domain.z_max};
   for (int i = 0; i < 6; ++i) {
-    if (faces[i] == Face::open) continue;
+    if (faces[i] == Face::periodic) is_mirror_[static_cast<std::size_t>(i)] = false;
+    if (faces[i] == Face::open || faces[i] == Face::periodic) continue;
     const int axis = i / 2;
     const double at = geometry.origin({0, 0, 0})[static_cast<std::size_t>(axis)] +
                       (i % 2 ? geometry.high_face(axis) : geometry.low_face()) * geometry.dx();

@@ -59,7 +59,7 @@ class Contacts final : public Obstacles {
   bool collider_near(const BlockIndex& block, double reach) const;
   /// Does a collider or a face of the domain that passes heat lie within `reach` of the block?
   bool cover_near(const BlockIndex& block, double reach) const;
-  /// Is dough mirrored at that face of the domain (x_min, x_max, y_min, ...) when its surface is measured? Not where heat passes.
+  /// Is dough mirrored at that face of the domain (x_min, x_max, y_min, ...) when its surface is measured? Not where heat or all passes.
   bool is_mirror(int face) const { return is_mirror_[static_cast<std::size_t>(face)]; }
   /// Is there something that expels particles within `reach` of the block?
   bool expels_near(const BlockIndex& block, double reach) const;

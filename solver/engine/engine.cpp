@@ -14,7 +14,8 @@ namespace bake {
 template <class Real>
 Engine<Real>::Engine(const Scene& scene)
     : scene_(scene),
-      geometry_(scene.domain.min_m, scene.domain.max_m, scene.dx()),
+      geometry_(scene.domain.min_m, scene.domain.max_m, scene.dx(),
+                {scene.domain.is_periodic(0), scene.domain.is_periodic(1), scene.domain.is_periodic(2)}),
       physics_(make_physics_with_skins<Real>(scene)),
       kernel_(make_block_kernel<Real>(scene.grid.kernel, *physics_)),
       contacts_(scene, geometry_),
@@ -44,8 +45,9 @@ BlockWork<Real> Engine<Real>::work(const Step<Real>& step) {
   const Face high[3] = {scene_.domain.x_max, scene_.domain.y_max, scene_.domain.z_max};
   for (int d = 0; d < 3; ++d) {
     w.origin[d] = static_cast<Real>(origin[static_cast<std::size_t>(d)]);
-    w.low_face[d] = static_cast<Real>(geometry_.low_face());
-    w.high_face[d] = static_cast<Real>(geometry_.high_face(d));
+    const bool is_periodic = geometry_.is_periodic(d);  // then nothing is held or lost
+    w.low_face[d] = static_cast<Real>(is_periodic ? -k_infinity : geometry_.low_face());
+    w.high_face[d] = static_cast<Real>(is_periodic ? k_infinity : geometry_.high_face(d));
     w.open_low[d] = low[d] == Face::open;
     w.open_high[d] = high[d] == Face::open;
   }
@@ -126,7 +128,7 @@ void Engine<Real>::pass(double next_dt, bool sample) {
     w.given = home_given_.data();
     w.givers = given_.size();
   }
-  for (const auto& columns : colours_.columns)
+  for (const auto& columns : colours_)
     for_each_parallel(columns.size(), 1, [&](std::size_t c) {
       Scratch<Real>& scratch = scratch_[static_cast<std::size_t>(omp_get_thread_num())];
       for (std::int32_t b = columns[c].first; b < columns[c].second; ++b)

@@ -75,10 +75,6 @@ class Engine {
   void read(const CheckpointReader& in);
 
  private:
-  struct ColourColumns {
-    BlockColumns columns[4];  ///< blocks of columns of one colour never touch the same node
-  };
-
   Step<Real> current_step() const;
   BlockWork<Real> work(const Step<Real>& step);
   void update_grid();
@@ -132,7 +128,7 @@ class Engine {
   AlignedBuffer<Real> scattered_, spare_rows_;  ///< what the next grid update takes; a spare one to move it into other blocks
   AlignedBuffer<Real> gathered_;                ///< what the last grid update gave
   ActiveBlocks active_;
-  ColourColumns colours_;
+  std::vector<BlockColumns> colours_;  ///< blocks of columns of one colour never touch the same node
   AlignedBuffer<Real> velocity_;
   std::vector<Scratch<Real>> scratch_;
   std::vector<BlockResult<Real>> results_;  ///< of the home blocks in a pass

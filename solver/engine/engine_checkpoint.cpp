@@ -28,6 +28,7 @@ void check_blocks(const ParticleStore<Real>& store, const GridGeometry& geometry
     const int at[3] = {block.at.x, block.at.y, block.at.z};
     for (int d = 0; d < 3; ++d) expect(at[d] > 0 && at[d] < geometry.blocks(d) - 1);
     for (int d = 0; d < 3; ++d) expect(block.low[d] >= 0 && block.high[d] >= 0 && block.high[d] < k_tile_side);
+    expect(geometry.wrapped(block.at) == block.at);
     expect(i == 0 || geometry.linear(store.blocks[i - 1].at) < geometry.linear(block.at));
     expect(block.first_tile == next_tile && block.tiles >= 0 && block.at_face == may_reach_face(block.at, geometry));
     next_tile += block.tiles;

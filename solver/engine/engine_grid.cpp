@@ -102,7 +102,7 @@ void Engine<Real>::update_grid() {
     });
     const BlockWork<Real> w = work(step);
     booked_[static_cast<std::size_t>(physics_->heat_entry)] +=
-        implicit_heat_.solve(*kernel_, w, colours_.columns, scratch_, heat_weight_, heat_transfer_, physics_->temperature_channel, dt_,
+        implicit_heat_.solve(*kernel_, w, colours_, scratch_, heat_weight_, heat_transfer_, physics_->temperature_channel, dt_,
                              physics_->heat_tolerance, gathered_);
     if (physics_->moves_mass)
       for (std::size_t s = 0; s < blocks; ++s)
