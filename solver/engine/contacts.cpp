@@ -105,7 +105,7 @@ void Contacts::prepare(double time) {
 
 bool Contacts::cover_near(const BlockIndex& block, double reach) const {
   if (collider_near(block, reach)) return true;
-  const Point low = geometry_.origin(block), high = low + Vector3{3, 3, 3} * geometry_.dx();
+  const Point low = geometry_.origin(block), high = low + (3 * geometry_.dx()) * Vector3{1, 1, 1};
   return std::any_of(walls_.begin(), walls_.end(),
                      [&](const Wall& w) { return std::min(w.distance(low), w.distance(high)) <= reach + touching(); });
 }

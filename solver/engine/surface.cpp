@@ -375,7 +375,8 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
 template <class Real>
 std::pair<Real, Real> FreeSurfaceMeasure<Real>::through(std::size_t s, std::size_t k, Real area, const ContactHeat& heat) const {
   const bool is_held = heat.heat_transfer_coefficient == k_infinity;
-  const Real transfer = is_held && area > 0 ? area * layer_.conductance(conductivity_[s][k], volume_[s][k]) : Real(0);
+  const Real transfer =
+      is_held && area > 0 && !conductivity_.empty() ? area * layer_.conductance(conductivity_[s][k], volume_[s][k]) : Real(0);
   return {transfer, transfer * static_cast<Real>(heat.temperature) + area * static_cast<Real>(heat.flux)};
 }
 

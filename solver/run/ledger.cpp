@@ -119,7 +119,7 @@ const std::vector<GiverColumn>& giver_columns() {
     std::vector<GiverColumn> columns;
     for (std::size_t d = 0; d < 3; ++d)
       columns.push_back({fmt::format("_impulse_{}_kg_m_per_s", "xyz"[d]), "kg m/s",
-                         "impulse that it gave to the dough: of its change between two rows over the time between them, the force", false,
+                         "impulse that it gave to the dough; its change from row to row over the time between them is the force", false,
                          [d](const Given& given) { return given.impulse[d]; }});
     columns.push_back(
         {"_heat_J", "J", "heat that it gave to the dough; grips have no such column", true, [](const Given& given) { return given.heat; }});

@@ -89,9 +89,9 @@ namespace {
 void check_periodic(const SceneEntry& entry, const DomainSettings& value, const Scene& scene, std::size_t axis) {
   const auto low = static_cast<DomainSide>(2 * axis), high = static_cast<DomainSide>(2 * axis + 1);
   for (const auto& [face, opposite] : {std::pair(low, high), std::pair(high, low)})
-    if (value.face(face) != Face::periodic && value.face(opposite) == Face::periodic)
-      Complaint(entry).at(word_of(face), "found '{}' opposite {} = 'periodic', allowed: both periodic or none", word_of(value.face(face)),
-                          word_of(opposite));
+    if (value.face(face) == Face::periodic && value.face(opposite) != Face::periodic)
+      Complaint(entry).at(word_of(face), "found 'periodic' opposite {} = '{}', allowed: both periodic or none", word_of(opposite),
+                          word_of(value.face(opposite)));
   if (value.face(low) != Face::periodic) return;
   const double cells = (value.max_m[axis] - value.min_m[axis]) / scene.dx(), blocks = std::round(cells / 4);
   if (!(blocks >= 1 && std::abs(cells - 4 * blocks) < 1e-6))

@@ -160,7 +160,7 @@ struct DomainFace {
             "heat_transfer_coefficient_W_per_m2K", &DomainFace::heat_transfer_coefficient_W_per_m2K, "W/(m^2 K)", non_negative,
             "conductive beta: heat transfer coefficient between wall and dough; without it the dough's surface has the wall's temperature"},
         Parameter{"heat_flux_W_per_m2", &DomainFace::heat_flux_W_per_m2, "W/m^2", any_number,
-                  "heat that comes in through the face per area and time, over time; instead of a temperature"},
+                  "heat that comes in through the face per area, over time; instead of a temperature"},
         Parameter{"ledger", &DomainFace::ledger, "", any_number,
                   "the ledger tells which impulse and heat it gave: columns `face_<at>_impulse_x_kg_m_per_s` and so on"},
     };

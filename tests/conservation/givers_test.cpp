@@ -17,7 +17,7 @@ Vector3 impulse_of_all(const Simulation& s) {
 /// On a plate, with the transfer that calms it down soonest.
 Dough resting() {
   Dough dough;
-  dough.shape = "box = { half_extents_m = [0.25, 0.25, 0.25] }";
+  dough.shape = "box = { half_extents_m = [0.125, 0.125, 0.125] }";
   dough.gravity = "[0, 0, -9.81]";
   dough.motion = k_pic;
   return dough;
@@ -26,22 +26,22 @@ Dough resting() {
 TEST(AGiver, CarriesTheWeightOfWhatRestsOnIt) {
   for (const std::string& on : {std::string(R"([[collider]]
 name = "plate"
-shape = { half_space = { point_m = [0, 0, -0.25], normal = [0, 0, 1] } }
+shape = { half_space = { point_m = [0, 0, -0.125], normal = [0, 0, 1] } }
 ledger = true
 )"),
                                 std::string("[[face]]\nat = \"z_min\"\nledger = true\n")}) {
     Dough dough = resting();
     dough.tables = on;
-    if (on.starts_with("[[face]]")) dough.low = {-1, -1, -0.25};
+    if (on.starts_with("[[face]]")) dough.low = {-1, -1, -0.125};
     const auto s = dough.begin();
     const double weight = 9.81 * Sums(*s).mass();
-    s->advance(2, 2.1);
+    s->advance(3, 4);
     const Given before = s->given().front();
-    s->advance(2.1, 2.2);
-    const Vector3 force = 10 * (s->given().front().impulse - before.impulse);
-    EXPECT_NEAR(force[2], weight, 1e-4 * weight) << on;
-    EXPECT_NEAR(force[0], 0, 1e-4 * weight) << on;
-    EXPECT_NEAR(force[1], 0, 1e-4 * weight) << on;
+    s->advance(4, 5);
+    const Vector3 force = s->given().front().impulse - before.impulse;  // of a second
+    EXPECT_NEAR(force[2], weight, 1e-3 * weight) << on;
+    EXPECT_NEAR(force[0], 0, 1e-3 * weight) << on;
+    EXPECT_NEAR(force[1], 0, 1e-3 * weight) << on;
   }
 }
 
@@ -49,7 +49,7 @@ ledger = true
 Dough pushed(const char* precision, bool ledger) {
   Dough dough;
   dough.precision = precision;
-  dough.body = "velocity_m_per_s = [2, 1, -3]";
+  dough.body = "velocity_m_per_s = [5, 4, -3]";
   dough.low = {-0.5, -0.5, -0.5};
   dough.high = {0.5, 0.5, 0.5};
   dough.faces = "friction = 0.3\ny_max = \"sticky\"";
@@ -96,6 +96,7 @@ TEST(AllGivers, GiveTheImpulseThatIsBooked) {
 Dough on_plates(const std::string& heat, const std::string& surface, bool ledger) {
   Dough dough;
   dough.effects = "heat";
+  dough.frame_s = 5e-3;
   dough.heat = heat;
   dough.surface = surface;
   dough.shape = "box = { half_extents_m = [0.25, 0.25, 0.25] }";
@@ -116,13 +117,13 @@ TEST(HotPlates, GiveTheHeatThatTheDoughGains) {
         dough.precision = precision;
         const auto s = dough.begin();
         const Sums start(*s);
-        take_steps(*s, 40, 1e-3);
+        take_steps(*s, 40, 5e-3);
         const Sums now(*s);
         const double given = s->given()[0].heat + s->given()[1].heat, gained = now.heat - start.heat;
         const double rounding = std::string_view(heat).find("backward") != std::string::npos ? 1e-8 : 0;
         EXPECT_NEAR(given, now.exchanged, 40 * round_off(precision) * std::abs(given)) << heat << surface << precision;
         EXPECT_NEAR(given, gained, 40 * (rounding + round_off(precision)) * now.heat) << heat << surface << precision;
-        EXPECT_NEAR(s->given()[0].heat / given, 0.5, 0.05) << "half of it lies on either";
+        EXPECT_NEAR(s->given()[0].heat / given, 0.5, 0.07) << "half of it lies on either; nodes between them are the first one's";
         EXPECT_GT(std::abs(gained), 0.03 * start.heat) << "else nothing was tested";
       }
 }
@@ -133,7 +134,7 @@ TEST(HotPlates, ShareTheHeatWithTheAir) {
   const auto plates = dough.begin();
   dough.tables += air;
   const auto both = dough.begin();
-  for (const auto* s : {&plates, &both}) take_steps(**s, 5, 1e-3);
+  for (const auto* s : {&plates, &both}) take_steps(**s, 5, 5e-3);
   for (std::size_t g = 0; g < 2; ++g) EXPECT_NEAR(both->given()[g].heat / plates->given()[g].heat, 1, 0.01);
   EXPECT_GT(Sums(*both).exchanged, 2 * (both->given()[0].heat + both->given()[1].heat));
 }
@@ -144,7 +145,7 @@ TEST(TheLedgerOfGivers, ChangesNoBitOfTheRun) {
     std::vector<double> positions[2], temperatures[2];
     for (const bool ledger : {false, true}) {
       const auto s = (hot ? on_plates("", "", ledger) : pushed("single", ledger)).begin();
-      take_steps(*s, 60, 1e-3);
+      take_steps(*s, 60, hot ? 5e-3 : 1e-3);
       const Snapshot now = s->snapshot();
       for (const Point& x : now.position) positions[ledger].insert(positions[ledger].end(), x.begin(), x.end());
       if (hot) temperatures[ledger] = now["temperature"];

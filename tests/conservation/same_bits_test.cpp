@@ -38,6 +38,7 @@ name = "plate"
 ledger = true
 [[face]]
 at = "z_min"
+temperature_C = [[0, 80], [1, 200]]
 ledger = true
 [[grip]]
 name = "hand"
