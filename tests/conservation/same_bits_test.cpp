@@ -34,7 +34,15 @@ motion = [{ time_s = 0 }, { time_s = 0.5, position_m = [0.6, 0, 0] }]
 temperature_C = 90
 heat_transfer_coefficient_W_per_m2K = 300
 friction = 0.4
+name = "plate"
+ledger = true
+[[face]]
+at = "z_min"
+temperature_C = [[0, 80], [1, 200]]
+ledger = true
 [[grip]]
+name = "hand"
+ledger = true
 shape = { sphere = { centre_m = [0, 0, -0.9], radius_m = 0.12 } }
 until_s = 0.05
 temperature_C = 70
@@ -120,6 +128,9 @@ TEST_P(SameBits, InASceneInWhichEverythingHappens) {
   EXPECT_GT(now.dissipated, 0);
   EXPECT_GT(now.gas, 0);
   EXPECT_GT(s->booked(booked::contact_area), 0);
+  ASSERT_EQ(s->given().size(), 3u);
+  for (const Given& given : s->given()) EXPECT_GT(length(given.impulse), 0);
+  EXPECT_GT(s->given().front().heat, 0);
   for (const double x : ledger_row(*s)) EXPECT_TRUE(std::isfinite(x));
 }
 

@@ -60,6 +60,8 @@ TEST(ASkinOfAScene, IsRefusedInOneLineThatSaysWhatIsAllowed) {
     EXPECT_EQ(found.find('\n'), std::string::npos) << found;
   };
   expect(k_flesh + k_skin + "thicknes_m = 2", "thickness_m");
+  const std::string ring = "y_min = \"periodic\"\ny_max = \"periodic\"\nmin_m";
+  expect(replaced(k_flesh, "min_m", ring) + k_skin, "skin.0: found a skin in a domain with periodic faces, allowed: no skin");
   expect(k_flesh + "[[skin]]\nthickness_m = 1e-3", "skin.0.young_modulus_Pa");
   expect(k_flesh + k_skin + "permeance = 1.5", "a number from 0 to 1");
   expect(k_flesh + k_skin + "poisson_ratio = 0.6", "from -0.99 to 0.5");
