@@ -136,7 +136,6 @@ textbook::Recipe recipe_of(const Scene& scene) {
                : motion.transfer == Motion::Transfer::pic ? textbook::Transfer::pic
                                                           : textbook::Transfer::apic;
   r.flip_blend = motion.flip_blend;
-  r.gravity = plain(motion.gravity_m_per_s2);
   r.inertia_scale = motion.inertia_scale;
 
   const auto& heat = scene.of<Heat>();
@@ -157,8 +156,9 @@ textbook::Recipe recipe_of(const Scene& scene) {
   return r;
 }
 
-textbook::Surroundings surroundings_of(const Scene& scene, double time_s) {
+textbook::Surroundings surroundings_of(const Scene& scene, double time_s, double dt) {
   textbook::Surroundings s;
+  s.gravity = plain(scene.of<Motion>().gravity_m_per_s2.mean(time_s, time_s + dt));
   s.air = {scene.oven.heat_transfer_coefficient_W_per_m2K(time_s), scene.oven.temperature_C(time_s),
            scene.oven.equilibrium_saturation(time_s)};
   for (const Collider& collider : scene.colliders) {

@@ -69,7 +69,6 @@ struct Recipe {
 
   Transfer transfer = Transfer::apic;
   double flip_blend = 0.95;
-  Vector gravity;            ///< [m/s^2]
   double inertia_scale = 1;  ///< inertial mass per mass
 
   HeatStep heat_step = HeatStep::forward_euler;
@@ -110,6 +109,7 @@ struct Air {
 
 /// The surroundings of the dough during one step.
 struct Surroundings {
+  Vector gravity;  ///< [m/s^2]
   Air air;
   std::vector<Solid> solids;
 };

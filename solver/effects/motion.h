@@ -37,14 +37,15 @@ struct Motion : Effect {
   struct Settings {
     Transfer transfer = Transfer::apic;
     double flip_blend = 0.95;
-    Vector3 gravity_m_per_s2 = {0, 0, -9.81};
+    VectorCurve gravity_m_per_s2 = Vector3{0, 0, -9.81};
     double inertia_scale = 1;
     static constexpr auto parameters() {
       return std::tuple{
           Parameter{"transfer", &Settings::transfer, "", any_number,
                     "velocity transfer between particles and grid; \"apic\" keeps spin, \"pic\" and \"flip\" lose it with every step"},
           Parameter{"flip_blend", &Settings::flip_blend, "1", fraction, "share of FLIP in a FLIP/PIC blend (transfer = \"flip\")"},
-          Parameter{"gravity_m_per_s2", &Settings::gravity_m_per_s2, "m/s^2", any_number, "acceleration of gravity"},
+          Parameter{"gravity_m_per_s2", &Settings::gravity_m_per_s2, "m/s^2", any_number,
+                    "acceleration of gravity, over time if it changes; each step takes its mean over the step"},
           Parameter{"inertia_scale", &Settings::inertia_scale, "1", positive,
                     "multiplies the inertial mass only (mass scaling for quasi-static baking)"},
       };
@@ -151,7 +152,7 @@ struct Motion : Effect {
   /// dt < 2 / frequency. |dt C| below 1/2 keeps I + dt C far from singular.
   static void largest_step(const auto& most, const StepScale& at, const auto& scene, StepLimit& limit) {
     const double c2 = most(bound::sound_speed_squared), C2 = most(bound::deformation_rate_squared), v2 = most(bound::speed_squared);
-    const double g = length(scene.template of<Motion>().gravity_m_per_s2);
+    const double g = largest_length(scene.template of<Motion>().gravity_m_per_s2);
     if (c2 > 0) limit.at_most(at.safety * at.dx / std::sqrt(c2), "stiffness (elastic, pore gas and water)");
     if (C2 > 0) limit.at_most(0.5 / std::sqrt(C2), "rate of deformation");
     if (v2 > 0) limit.at_most(at.cfl * at.dx / std::sqrt(v2), "particle travel (time.cfl)");
@@ -210,7 +211,7 @@ struct Motion : Effect {
     const auto moves = [](const auto& thing) { return thing.motion.size() > 1; };
     const auto starts = [](const auto& body) { return length(body.velocity_m_per_s) > 0 || length(body.angular_velocity_rad_per_s) > 0; };
     const auto& scene = here.scene;
-    const bool pushed = length(scene.template of<Motion>().gravity_m_per_s2) > 0 || !scene.emitters.empty() ||
+    const bool pushed = largest_length(scene.template of<Motion>().gravity_m_per_s2) > 0 || !scene.emitters.empty() ||
                         here.any(scene.colliders, moves) || here.any(scene.grips, moves) || here.any(scene.bodies, starts);
     return pushed || here.swells ? "" : "there is no gravity, nothing else moves and nothing swells";
   }

@@ -89,7 +89,7 @@ template <class Real>
 void Engine<Real>::start(double first_target) {
   contacts_.prepare(time_);
   update_grid();
-  pass(next_step(time_, first_target, first_target), true);
+  pass(time_, next_step(time_, first_target, first_target), true);
 }
 
 template <class Real>
@@ -98,18 +98,19 @@ void Engine<Real>::step(double target, double next_target) {
   contacts_.prepare(time_);
   update_grid();
   const double updated = steady_seconds(), ordered = phases_.ordering;
-  const double after = time_ + dt_;
-  const bool reaches = after >= target - 1e-9 * dt_;
-  pass(next_step(reaches ? target : after, target, next_target), reaches);
-  time_ = reaches ? target : after;
+  const bool reaches = time_ + dt_ >= target - 1e-9 * dt_;
+  const double after = reaches ? target : time_ + dt_;
+  pass(after, next_step(after, target, next_target), reaches);
+  time_ = after;
   ++counters_.steps;
   counters_.particle_steps += static_cast<std::int64_t>(particle_count_);
   phases_.grid += updated - began;
   phases_.transfer += steady_seconds() - updated - (phases_.ordering - ordered);
 }
 
+/// `after`: when the next step begins, which takes `next_dt`.
 template <class Real>
-void Engine<Real>::pass(double next_dt, bool sample) {
+void Engine<Real>::pass(double after, double next_dt, bool sample) {
   Step<Real> step = current_step();
   step.dt_next = static_cast<Real>(next_dt);
   BlockWork<Real> w = work(step);
@@ -137,7 +138,7 @@ void Engine<Real>::pass(double next_dt, bool sample) {
     for (auto& e : r.migrants) migrants.push_back(std::move(e));
   const bool is_stale = physics_->moves && counters_.steps - last_sorted_ >= k_most_steps_unsorted;
   if (!migrants.empty() || is_stale) migrate_particles(migrants);
-  if (skins_) pull_skins(sample);
+  if (skins_) pull_skins(after, sample);
 }
 
 template <class Real>

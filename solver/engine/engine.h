@@ -82,6 +82,8 @@ class Engine {
   BlockWork<Real> work(const Step<Real>& step);
   void update_grid();
   void update_block(std::size_t slot, const Air& air, const Step<Real>& step, Budget& booked);
+  /// Its mean over the step that begins at `time`.
+  Vector3 gravity_from(double time) const { return physics_->gravity.mean(time, time + dt_); }
   void find_fall(Lanes<Real> (&dv)[3]) const;
   class Around;
   void touch_colliders();
@@ -98,9 +100,9 @@ class Engine {
   template <class Theta>
   void book_moved_heat(const NodeSums<Real>* sums, Theta theta, Budget& booked) const;
   Lanes<Real> temperatures(std::size_t slot, int pack) const;
-  void pass(double next_dt, bool sample);
+  void pass(double after, double next_dt, bool sample);
   void take_skins(Sheets<Real> skins);
-  void pull_skins(bool sample);
+  void pull_skins(double after, bool sample);
   void book_weight_of_skins();
   void migrate_particles(std::vector<Migrant<Real>>& migrants);
   void after_sorting();

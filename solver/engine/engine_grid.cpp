@@ -164,7 +164,8 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
 /// What gravity adds to velocities.
 template <class Real>
 void Engine<Real>::find_fall(Lanes<Real> (&dv)[3]) const {
-  for (std::size_t d = 0; d < 3; ++d) dv[d] = lanes<Real>(static_cast<Real>(dt_ * physics_->gravity[d] / physics_->inertia_scale));
+  const Vector3 g = gravity_from(time_);
+  for (std::size_t d = 0; d < 3; ++d) dv[d] = lanes<Real>(static_cast<Real>(dt_ * g[d] / physics_->inertia_scale));
 }
 
 /// The nodes around one of a block beside a collider, before contact.

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "solver/boundary/obstacles.h"
+#include "solver/core/curve.h"
 #include "solver/core/lanes.h"
 #include "solver/core/step_limit.h"
 #include "solver/core/surface_layer.h"
-#include "solver/core/vector3.h"
 
 namespace bake {
 
@@ -134,7 +134,7 @@ class Physics {
 
   // What the engine does for the effects; each sets its own.
   bool moves = false;                ///< nodes have velocities (gathered channels 0 to 2), which gravity and contacts change
-  Vector3 gravity{0, 0, 0};          ///< [m/s^2]
+  VectorCurve gravity{Vector3{}};    ///< [m/s^2]
   double inertia_scale = 1;          ///< inertial mass over mass
   bool needs_surface = false;        ///< something passes the surface: it is measured
   bool moves_mass = false;           ///< mass moves between nodes or leaves them: NodeSums::moved and evaporated
