@@ -17,7 +17,7 @@ template <class... Structs>
 constexpr std::size_t k_keys = (0 + ... + std::tuple_size_v<decltype(Structs::parameters())>);
 static_assert(
     k_keys<DomainSettings, GridSettings, SurfaceSettings, Oven, Material, Body, Collider, Grip, Emitter, Skin> == 68 &&
-        k_keys<Motion::Settings, Heat::Settings, Water::Settings, Elasticity::Settings, Plasticity::Settings, Leavening::Settings> == 19 &&
+        k_keys<Motion::Settings, Heat::Settings, Water::Settings, Elasticity::Settings, Plasticity::Settings, Leavening::Settings> == 22 &&
         k_keys<Heat::Material, Water::Material, Elasticity::Material, Plasticity::Material, Leavening::Material> == 20,
     "scenes have another number of keys: hand the new one to the textbook or refuse it here, so that it is not left out silently");
 
@@ -104,10 +104,17 @@ void refuse_fracture(const Scene& scene) {
                                    scene.file.string(), m.name, energy));
 }
 
+void refuse_settling(const Scene& scene) {
+  if (const double damping = scene.of<Motion>().settle_damping_per_s; scene.lists(Motion::name) && damping > 0)
+    throw InputError(fmt::format("{}: motion.settle_damping_per_s: found {:g}, allowed: 0, since the textbook does not settle",
+                                 scene.file.string(), damping));
+}
+
 }  // namespace
 
 textbook::Recipe recipe_of(const Scene& scene) {
   refuse_unknown_effects(scene);
+  refuse_settling(scene);
   refuse_fracture(scene);
   textbook::Recipe r;
   r.motion = scene.lists(Motion::name);

@@ -15,6 +15,10 @@
 
 namespace bake {
 
+namespace booked {
+BAKE_FIELD(damped, Damped, 1, "damped", "J", "kinetic energy of the inertial mass that settling took");
+}  // namespace booked
+
 namespace total {
 BAKE_FIELD(momentum, Momentum, 3, "momentum", "kg m/s", "momentum, sum of m v + V q, the water's flux being that of the step before");
 BAKE_FIELD(angular_momentum, AngularMomentum, 3, "angular_momentum", "kg m^2/s", "angular momentum about the origin, with the affine part");
@@ -39,6 +43,9 @@ struct Motion : Effect {
     double flip_blend = 0.95;
     VectorCurve gravity_m_per_s2 = Vector3{0, 0, -9.81};
     double inertia_scale = 1;
+    double settle_damping_per_s = 0;
+    double settle_still_m_per_s = 1e-3;
+    double settle_longest_s = 1;
     static constexpr auto parameters() {
       return std::tuple{
           Parameter{"transfer", &Settings::transfer, "", any_number,
@@ -48,6 +55,13 @@ struct Motion : Effect {
                     "acceleration of gravity, over time if it changes; each step takes its mean over the step"},
           Parameter{"inertia_scale", &Settings::inertia_scale, "1", positive,
                     "multiplies the inertial mass only (mass scaling for quasi-static baking)"},
+          Parameter{
+              "settle_damping_per_s", &Settings::settle_damping_per_s, "1/s", non_negative,
+              "if above 0, the dough settles before the scene's time begins: it moves, velocities decay at this rate, and heat, water, "
+              "leavener, colliders and all clocks stand still"},
+          Parameter{"settle_still_m_per_s", &Settings::settle_still_m_per_s, "m/s", positive,
+                    "settling ends when no particle was faster for 1 / settle_damping_per_s"},
+          Parameter{"settle_longest_s", &Settings::settle_longest_s, "s", positive, "settling ends then, still or not"},
       };
     }
   };
@@ -56,6 +70,7 @@ struct Motion : Effect {
   using Moments = FieldList<channel::Momentum>;
   using Values = FieldList<channel::Mass>;
   using Gathered = FieldList<channel::NodeVelocity>;
+  using Booked = FieldList<booked::Damped>;
   using Totals = FieldList<total::Momentum, total::AngularMomentum, total::Kinetic>;
   using Bounds = FieldList<bound::SpeedSquared, bound::SoundSpeedSquared, bound::DeformationRateSquared>;
 
@@ -93,6 +108,9 @@ struct Motion : Effect {
     model.moves = true;
     model.gravity = settings.gravity_m_per_s2;
     model.inertia_scale = settings.inertia_scale;
+    using Model = std::decay_t<decltype(model)>;
+    model.settling = {settings.settle_damping_per_s, settings.settle_still_m_per_s, settings.settle_longest_s,
+                      Model::Booked::template offset<booked::Damped>, Model::Bounds::template offset<bound::SpeedSquared>};
   }
 
   static void fill(auto& p, int lane, const auto&) { p[field::J][lane] = 1; }
@@ -205,6 +223,17 @@ struct Motion : Effect {
   static void ledger(auto& columns) {
     columns.made("max_speed", "m/s", "speed of the fastest particle",
                  [](const auto& now) { return std::sqrt(now.bound(bound::speed_squared)); });
+    columns.made("settling_time", "s", "time that settling took before the scene's time began",
+                 [](const auto& now) { return now.settling().time; });
+  }
+
+  /// Dough that falls under gravity and damping reaches g / damping, 0.63 of it within the time for which it must be slow.
+  static void check_settings(const Settings& settings, const auto& complaint) {
+    const double g = length(settings.gravity_m_per_s2(0)), most = g / (2 * settings.settle_damping_per_s);
+    if (settings.settle_damping_per_s > 0 && g > 0 && settings.settle_still_m_per_s > most)
+      complaint.at("settle_still_m_per_s",
+                   "found {}, allowed: at most {:.3g} (gravity over twice settle_damping_per_s), or dough that falls counts as still",
+                   settings.settle_still_m_per_s, most);
   }
 
   static std::string idle(const auto& here) {

@@ -58,6 +58,7 @@ class Engine {
   const Highest& highest() const { return highest_; }  ///< at the last sample; -1e30 without particles
   const Bounds& bounds() const { return bounds_; }     ///< of the last step
   const PhaseSeconds& phases() const { return phases_; }
+  const Settling& settling() const { return settling_; }
   std::size_t particles() const { return particle_count_; }                  ///< without the vertices of skins
   const Sheets<Real>* skins() const { return skins_ ? &*skins_ : nullptr; }  ///< null without skins
   const ParticleStore<Real>& store() const { return store_; }
@@ -83,7 +84,7 @@ class Engine {
   void update_grid();
   void update_block(std::size_t slot, const Air& air, const Step<Real>& step, Budget& booked);
   /// Its mean over the step that begins at `time`.
-  Vector3 gravity_from(double time) const { return physics_->gravity.mean(time, time + dt_); }
+  Vector3 gravity_from(double time) const { return physics_->gravity.mean(time, settling_.now ? time : time + dt_); }
   void find_fall(Lanes<Real> (&dv)[3]) const;
   class Around;
   void touch_colliders();
@@ -100,7 +101,10 @@ class Engine {
   template <class Theta>
   void book_moved_heat(const NodeSums<Real>* sums, Theta theta, Budget& booked) const;
   Lanes<Real> temperatures(std::size_t slot, int pack) const;
-  void pass(double after, double next_dt, bool sample);
+  bool settle_on();
+  double next_settling_step();
+  void damp(std::size_t slot, const NodeSums<Real>* sums, Lanes<Real> (*nodes)[k_most_channels], Budget& booked) const;
+  void pass(double after, double next_dt, bool next_settles, bool sample);
   void take_skins(Sheets<Real> skins);
   void pull_skins(double after, bool sample);
   void book_weight_of_skins();
@@ -150,6 +154,7 @@ class Engine {
   Highest highest_{};
   Counters counters_;
   PhaseSeconds phases_;
+  Settling settling_;
   Budget booked_{};
   Totals totals_{}, retired_{}, emitted_{};
 };

@@ -2,6 +2,7 @@
 // The grid update: from what particles scattered to what they will gather, and its books.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 
 #include "solver/core/parallel.h"
@@ -94,8 +95,8 @@ void Engine<Real>::update_grid() {
   if (implicit) {
     const BlockWork<Real> w = work(step);
     booked_[static_cast<std::size_t>(physics_->heat_entry)] +=
-        implicit_heat_.solve(*kernel_, w, colours_.columns, scratch_, heat_weight_, heat_transfer_, physics_->temperature_channel, dt_,
-                             physics_->heat_tolerance, gathered_);
+        implicit_heat_.solve(*kernel_, w, colours_.columns, scratch_, heat_weight_, heat_transfer_, physics_->temperature_channel,
+                             settling_.now ? 0 : dt_, physics_->heat_tolerance, gathered_);
     if (physics_->moves_mass)
       for (std::size_t s = 0; s < blocks; ++s)
         if (active_.touched[s])
@@ -133,7 +134,7 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
     prefetch_rows(from + (k_block_nodes + n) * RS, W * RS);  // of the next block
     kernel_->take_nodes(from + n * RS, in);
     Surroundings<Real> around = surroundings(pack, has_surface ? &surface : nullptr, air);
-    if (at_contact && contacts_.holds_temperatures()) hold_temperatures(s, static_cast<int>(n), in, around);
+    if (at_contact && contacts_.holds_temperatures() && !settling_.now) hold_temperatures(s, static_cast<int>(n), in, around);
     physics_->update_nodes(in, out[pack], sums[pack], around, step, booked);
     for (int c = physics_->gather_channels; c < gathered_row(); ++c) out[pack][c] = Lanes<Real>{};
     if (physics_->moves)
@@ -145,6 +146,7 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
     }
   }
   if (force_) change_velocities(s, sums, out, booked, [&](int, const Point& x, const Vector3& v) { return force_(x, v, time_, dt_); });
+  if (settling_.now) damp(s, sums, out, booked);
   beside_collider_[s] = physics_->moves && contacts_.collider_near(active_.at[s], contacts_.reach_beside_colliders());
   if (physics_->moves && at_contact && !beside_collider_[s])
     change_velocities(s, sums, out, booked, [&](int, const Point& x, const Vector3& v) { return contacts_.velocity_after(x, v); });
@@ -166,6 +168,27 @@ template <class Real>
 void Engine<Real>::find_fall(Lanes<Real> (&dv)[3]) const {
   const Vector3 g = gravity_from(time_);
   for (std::size_t d = 0; d < 3; ++d) dv[d] = lanes<Real>(static_cast<Real>(dt_ * g[d] / physics_->inertia_scale));
+}
+
+/// While the dough settles, velocities decay. What that takes is booked.
+template <class Real>
+void Engine<Real>::damp(std::size_t slot, const NodeSums<Real>* sums, Lanes<Real> (*nodes)[k_most_channels], Budget& booked) const {
+  using V = Lanes<Real>;
+  const auto kept = static_cast<Real>(std::exp(-physics_->settling.damping * dt_));
+  Impulses<Real> impulses;
+  V taken{};
+  for (int pack = 0; pack < k_packs<Real>; ++pack) {
+    V impulse[3];
+    for (int d = 0; d < 3; ++d) {
+      const V before = nodes[pack][d], after = kept * before;
+      nodes[pack][d] = after;
+      impulse[d] = sums[pack].inertia * (after - before);
+      taken += Real(0.5) * sums[pack].inertia * (before * before - after * after);
+    }
+    impulses.add(pack * k_width<Real>, impulse);
+  }
+  impulses.book(geometry_.origin(active_.at[slot]), geometry_.dx(), booked);
+  booked[static_cast<std::size_t>(physics_->settling.damped_entry)] += sum_lanes(taken);
 }
 
 /// The nodes around one of a block beside a collider, before contact.
@@ -356,16 +379,17 @@ void Engine<Real>::change_velocities(std::size_t slot, const NodeSums<Real>* sum
 }
 
 // All of them: the extern template of the class keeps a compiler from making one where it is called.
-#define BAKE_INSTANTIATE(Real)                                                                                         \
-  template void Engine<Real>::update_grid();                                                                           \
-  template void Engine<Real>::update_block(std::size_t, const Air&, const Step<Real>&, Budget&);                       \
-  template void Engine<Real>::touch_colliders();                                                                       \
-  template bool Engine<Real>::is_empty(const Real*) const;                                                             \
-  template Surroundings<Real> Engine<Real>::surroundings(int, const BlockSurroundings<Real>*, const Air&);             \
-  template void Engine<Real>::hold_temperatures(std::size_t, int, const Lanes<Real>*, Surroundings<Real>&) const;      \
-  template void Engine<Real>::book_momentum(std::size_t, const NodeSums<Real>*, const Lanes<Real>(*)[k_most_channels], \
-                                            const Lanes<Real>(&)[3], Budget&) const;                                   \
-  template void Engine<Real>::measure_published_surface(const Air&);                                                   \
+#define BAKE_INSTANTIATE(Real)                                                                                          \
+  template void Engine<Real>::update_grid();                                                                            \
+  template void Engine<Real>::update_block(std::size_t, const Air&, const Step<Real>&, Budget&);                        \
+  template void Engine<Real>::touch_colliders();                                                                        \
+  template void Engine<Real>::damp(std::size_t, const NodeSums<Real>*, Lanes<Real>(*)[k_most_channels], Budget&) const; \
+  template bool Engine<Real>::is_empty(const Real*) const;                                                              \
+  template Surroundings<Real> Engine<Real>::surroundings(int, const BlockSurroundings<Real>*, const Air&);              \
+  template void Engine<Real>::hold_temperatures(std::size_t, int, const Lanes<Real>*, Surroundings<Real>&) const;       \
+  template void Engine<Real>::book_momentum(std::size_t, const NodeSums<Real>*, const Lanes<Real>(*)[k_most_channels],  \
+                                            const Lanes<Real>(&)[3], Budget&) const;                                    \
+  template void Engine<Real>::measure_published_surface(const Air&);                                                    \
   template Lanes<Real> Engine<Real>::temperatures(std::size_t, int) const;
 BAKE_INSTANTIATE(float)
 BAKE_INSTANTIATE(double)

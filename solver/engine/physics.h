@@ -27,6 +27,8 @@ template <class Real>
 struct Step {
   Real dt = 0;         ///< of the step whose grid is being gathered [s]
   Real dt_next = 0;    ///< of the step that is being scattered [s]
+  Real baking_dt = 0;  ///< of heat, water, leavener: dt, but 0 while the dough settles [s]
+  Real baking_dt_next = 0;
   Real dx = 0;         ///< node distance [m]
   Real inverse_d = 0;  ///< D^-1 of the kernel [1/m^2]
 };
@@ -101,6 +103,15 @@ struct NodeSums {
   V heat_taken{};   ///< by what changes state at the nodes [J]
 };
 
+/// A start that takes speed from the dough until it lies still, before the scene's time begins.
+struct SettlingRule {
+  double damping = 0;    ///< rate at which velocities decay; 0: there is no such start [1/s]
+  double slow = 0;       ///< the dough lies still when none is faster for 1 / damping [m/s]
+  double longest = 0;    ///< it ends then, still or not [s]
+  int damped_entry = 0;  ///< in a Budget: energy that damping took [J]
+  int speed_bound = 0;   ///< in Bounds: |v|^2 [m^2/s^2]
+};
+
 /// A model as the engine sees it. All arrays of lanes are aligned to the register width.
 template <class Real>
 class Physics {
@@ -133,9 +144,10 @@ class Physics {
   int gather_channels = 0;   ///< numbers per node after it
 
   // What the engine does for the effects; each sets its own.
-  bool moves = false;                ///< nodes have velocities (gathered channels 0 to 2), which gravity and contacts change
-  VectorCurve gravity{Vector3{}};    ///< [m/s^2]
-  double inertia_scale = 1;          ///< inertial mass over mass
+  bool moves = false;              ///< nodes have velocities (gathered channels 0 to 2), which gravity and contacts change
+  VectorCurve gravity{Vector3{}};  ///< [m/s^2]
+  double inertia_scale = 1;        ///< inertial mass over mass
+  SettlingRule settling;
   bool needs_surface = false;        ///< something passes the surface: it is measured
   bool moves_mass = false;           ///< mass moves between nodes or leaves them: NodeSums::moved and evaporated
   bool implicit_heat = false;        ///< conduction by backward Euler, to

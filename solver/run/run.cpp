@@ -77,11 +77,16 @@ double value(const std::vector<double>& row, std::string_view column) {
 }
 
 std::string summary_text(const Scene& scene, const ResultsFolder& results, const std::vector<double>& first,
-                         const std::vector<double>& last, double inertia_scale, double wall, std::int64_t particle_steps) {
+                         const std::vector<double>& last, const Simulation& simulation, double wall, std::int64_t particle_steps) {
   const auto now = [&](std::string_view c) { return value(last, c); };
   std::string text =
       fmt::format("{}: {:.4g} s simulated, {} particles, {} steps\n", scene.title.empty() ? scene.file.stem().string() : scene.title,
                   now("time_s"), std::int64_t(now("particles")), std::int64_t(now("steps")));
+  const double inertia_scale = simulation.inertia_scale();
+  const Settling& settling = simulation.settling();
+  if (settling.time > 0)
+    text += fmt::format("  settled      for {:.4g} s before its time began, {:.3g} J damped; {}\n", settling.time, now("damped_J"),
+                        settling.is_still ? "then it was still" : "it was NOT still then: see motion.settle_longest_s");
   const double volume = value(first, "volume_m3") + now("emitted_volume_m3"),
                water = value(first, "water_mass_kg") + now("emitted_water_mass_kg");
   if (volume > 0) text += fmt::format("  volume       x {:.3f} ({:.4g} m^3)\n", now("volume_m3") / volume, now("volume_m3"));
@@ -306,7 +311,7 @@ void Run::expect_results() const {
 
 std::string Run::finish(const char* state) const {
   save_description(state);
-  return summary_text(scene_, results_, first_, last_, simulation_->inertia_scale(), wall_here(), steps_here());
+  return summary_text(scene_, results_, first_, last_, *simulation_, wall_here(), steps_here());
 }
 
 void Run::fail() noexcept {
@@ -390,7 +395,8 @@ Costs try_out(Simulation& simulation, double end) {
   int steps = 0;
   simulation.advance(end, end, [&] { return ++steps < k_fewest || steady_seconds() - began < k_trial_s; });
   const double taken = steady_seconds() - began;
-  const double lengthening = steps > 0 && first_step > 0 ? simulation.time() / steps / first_step : 1;
+  const double advanced = simulation.time() + simulation.settling().time;
+  const double lengthening = steps > 0 && first_step > 0 ? advanced / steps / first_step : 1;
   const ScratchFolder scratch;
   simulation.write_frame_file(scratch / frame_name(0));  // the first frame takes much longer than later ones
   const double again = steady_seconds();

@@ -86,6 +86,7 @@ class SimulationOf final : public Simulation {
   double dt() const override { return engine_.dt(); }
   std::size_t particles() const override { return engine_.particles(); }
   const Counters& counters() const override { return engine_.counters(); }
+  const Settling& settling() const override { return engine_.settling(); }
   double amount(Sum kind, std::string_view symbol, int i) const override {
     const Physics<Real>& physics = engine_.physics();
     switch (kind) {
