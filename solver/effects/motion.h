@@ -106,6 +106,7 @@ struct Motion : Effect {
   static void describe(auto& model, const auto& scene) {
     const auto& settings = scene.template of<Motion>();
     model.moves = true;
+    model.samples_stress = scene.run.stress_in_frames;
     model.gravity = settings.gravity_m_per_s2;
     model.inertia_scale = settings.inertia_scale;
     using Model = std::decay_t<decltype(model)>;
@@ -217,6 +218,8 @@ struct Motion : Effect {
 
   static void show(auto& frame) {
     frame.sampled(field::v);
+    frame.sampled(field::sigma);
+    frame.sampled(field::von_mises);
     frame.stored(field::J);
   }
 

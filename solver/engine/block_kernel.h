@@ -31,7 +31,7 @@ struct BlockWork {
   const Real* gathered = nullptr;  ///< the grid that the gather reads: rows of gathered_row() numbers
   Real* scattered = nullptr;       ///< the grid that the scatter adds to: rows of scattered_row() numbers
   Step<Real> step;
-  Real* velocity = nullptr;  ///< if not null: [tile][3][W]
+  Real* sampled = nullptr;  ///< if not null: [tile][Physics::sampled()][W]
   const Contacts* contacts = nullptr;
   Real origin[3];                  ///< of the grid [m]
   Real low_face[3], high_face[3];  ///< domain, in node distances from the grid's first node

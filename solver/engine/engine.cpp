@@ -135,10 +135,10 @@ void Engine<Real>::pass(double after, double next_dt, bool next_settles, bool sa
   step.dt_next = static_cast<Real>(next_dt);
   step.baking_dt_next = next_settles ? Real(0) : step.dt_next;
   BlockWork<Real> w = work(step);
-  velocity_.resize_and_forget(0);
+  sampled_.resize_and_forget(0);
   if (sample && physics_->moves) {
-    velocity_.resize_and_forget(store_.tiles.size() * 3 * k_width<Real>);
-    w.velocity = velocity_.data();
+    sampled_.resize_and_forget(store_.tiles.size() * static_cast<std::size_t>(physics_->sampled() * k_width<Real>));
+    w.sampled = sampled_.data();
   }
   results_.resize(store_.blocks.size());
   for (const auto& columns : colours_.columns)
@@ -176,7 +176,7 @@ void Engine<Real>::reduce(const std::vector<BlockResult<Real>>& results) {
 
 template <class Real>
 std::size_t Engine<Real>::bytes() const {
-  return store_.data.bytes() + spare_.data.bytes() + scattered_.bytes() + spare_rows_.bytes() + gathered_.bytes() + velocity_.bytes() +
+  return store_.data.bytes() + spare_.data.bytes() + scattered_.bytes() + spare_rows_.bytes() + gathered_.bytes() + sampled_.bytes() +
          (store_.tiles.capacity() + spare_.tiles.capacity()) * sizeof(Tile) +
          (store_.blocks.capacity() + spare_.blocks.capacity()) * sizeof(HomeBlock) + active_.slot_of.capacity() * sizeof(std::int32_t) +
          surface_.bytes();

@@ -62,7 +62,8 @@ class Engine {
   std::size_t particles() const { return particle_count_; }                  ///< without the vertices of skins
   const Sheets<Real>* skins() const { return skins_ ? &*skins_ : nullptr; }  ///< null without skins
   const ParticleStore<Real>& store() const { return store_; }
-  const AlignedBuffer<Real>& velocity() const { return velocity_; }  ///< [tile][3][W] right after a sample; empty where nothing moves
+  /// [tile][Physics::sampled()][W] right after a sample; empty where nothing moves.
+  const AlignedBuffer<Real>& sampled() const { return sampled_; }
   const Physics<Real>& physics() const { return *physics_; }
   const GridGeometry& geometry() const { return geometry_; }
   int scattered_row() const { return kernel_->scattered_row(); }  ///< numbers per node of the scattered grid
@@ -111,7 +112,7 @@ class Engine {
   void migrate_particles(std::vector<Migrant<Real>>& migrants);
   void after_sorting();
   void remap_blocks(const ActiveBlocks& before);
-  void carry_velocity(const ParticleStore<Real>& before, const std::vector<NewParticle>& added);
+  void carry_sampled(const ParticleStore<Real>& before, const std::vector<NewParticle>& added);
   void reduce(const std::vector<BlockResult<Real>>& results);
   void scatter_new(const ParticleStore<Real>& fresh, const std::vector<Real>& start, bool poured);
   double next_step(double from, double target, double next_target);
@@ -131,7 +132,7 @@ class Engine {
   AlignedBuffer<Real> gathered_;                ///< what the last grid update gave
   ActiveBlocks active_;
   ColourColumns colours_;
-  AlignedBuffer<Real> velocity_;
+  AlignedBuffer<Real> sampled_;
   std::vector<Scratch<Real>> scratch_;
   std::vector<BlockResult<Real>> results_;  ///< of the home blocks in a pass
   std::vector<Budget> block_budgets_;       ///< of the grid's blocks in an update

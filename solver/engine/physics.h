@@ -144,10 +144,11 @@ class Physics {
   int gather_channels = 0;   ///< numbers per node after it
 
   // What the engine does for the effects; each sets its own.
-  bool moves = false;              ///< nodes have velocities (gathered channels 0 to 2), which gravity and contacts change
-  VectorCurve gravity{Vector3{}};  ///< [m/s^2]
-  double inertia_scale = 1;        ///< inertial mass over mass
-  SettlingRule settling;
+  bool moves = false;                ///< nodes have velocities (gathered channels 0 to 2), which gravity and contacts change
+  VectorCurve gravity{Vector3{}};    ///< [m/s^2]
+  double inertia_scale = 1;          ///< inertial mass over mass
+  SettlingRule settling;             ///< how the dough comes to rest before the scene's time begins
+  bool samples_stress = false;       ///< what is sampled is not the velocity alone
   bool needs_surface = false;        ///< something passes the surface: it is measured
   bool moves_mass = false;           ///< mass moves between nodes or leaves them: NodeSums::moved and evaporated
   bool implicit_heat = false;        ///< conduction by backward Euler, to
@@ -159,6 +160,7 @@ class Physics {
   int filled_channel = 0;            ///< in a scattered row: above zero where there are particles
   int temperature_channel = -1;      ///< in a gathered row, the change stands before it; -1: there is none
   double moved_specific_heat = 0;    ///< of the mass that moves or leaves [J/(kg K)]
+  int sampled() const { return samples_stress ? 9 : 3; }  ///< numbers of a particle: velocity, Cauchy stress in the order of symmetric.h
   // where in a Budget the engine books what it knows only after the grid update
   int heat_entry = 0;            ///< heat that came in through surfaces [J]
   int left_heat_entry = 0;       ///< heat that mass took along when it left the nodes [J]
@@ -168,8 +170,8 @@ class Physics {
   /// Gathers and advances the particles of a tile from t to t + dt, then says what they scatter in the step after.
   /// `gathered`: values, d/dx, d/dy, d/dz, each `gather_stride` lanes apart.
   /// `scattered`: values, then the coefficients of the node offsets per axis (in node distances), `scatter_stride` apart.
-  /// `velocity`: if not null, receives the three components.
-  virtual void advance(V* columns, int material, const V* gathered, int gather_stride, V* scattered, int scatter_stride, V* velocity,
+  /// `sampled`: if not null, receives what frames show and no column keeps: sampled() numbers.
+  virtual void advance(V* columns, int material, const V* gathered, int gather_stride, V* scattered, int scatter_stride, V* sampled,
                        const Step<Real>&, Report<Real>&) const = 0;
   /// What new particles scatter in their first step.
   virtual void start(V* columns, int material, const V* velocity, const V* affine, V* scattered, int scatter_stride, const Step<Real>&,
