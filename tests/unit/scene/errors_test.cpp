@@ -101,6 +101,17 @@ TEST(SceneError, GravityIsAVectorOrACurveOfVectors) {
   EXPECT_EQ(error("[[1, [0, 0, 0]], [0.5, [0, 0, -9.81]]]"), place + ".1: found time 0.5 after time 1, allowed: rising times");
 }
 
+TEST(SceneError, DoughThatFallsMustNotCountAsStill) {
+  const auto error = [](const std::string& keys) { return error_of(k_least + "[motion]\n" + keys + "\n"); };
+  EXPECT_EQ(error("settle_damping_per_s = 20\nsettle_still_m_per_s = 0.3"),
+            "bread.toml:11: motion.settle_still_m_per_s: found 0.3, allowed: at most 0.245 (gravity over twice settle_damping_per_s), or "
+            "dough that falls counts as still");
+  for (const char* right : {"settle_damping_per_s = 20\nsettle_still_m_per_s = 0.2", "settle_still_m_per_s = 3",
+                            "settle_damping_per_s = 20\nsettle_still_m_per_s = 0.3\ngravity_m_per_s2 = [0, 0, 0]"})
+    EXPECT_NO_THROW(parse(k_least + "[motion]\n" + right + "\n")) << right;
+  EXPECT_EQ(error("settle_damping = 20"), "bread.toml:10: motion: unknown key 'settle_damping', did you mean 'settle_damping_per_s'?");
+}
+
 TEST(SceneError, CurvesMustRiseInTime) {
   EXPECT_EQ(error_of(k_least + "[oven]\ntemperature_C = [[0, 20],\n [0, 30]]\n"),
             "bread.toml:11: oven.temperature_C.1: found time 0 after time 0, allowed: rising times");
