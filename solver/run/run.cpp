@@ -22,6 +22,7 @@
 #include "solver/io/scratch_folder.h"
 #include "solver/run/check_scene.h"
 #include "solver/run/describe_bodies.h"
+#include "solver/run/fill_scene.h"
 #include "solver/run/frame_times.h"
 #include "solver/run/ledger.h"
 #include "solver/run/results_folder.h"
@@ -385,6 +386,7 @@ namespace {
 /// Seconds per particle on this machine, and how the steps' mean length compares with the first one's.
 struct Costs {
   double step = 0, frame = 0, lengthening = 1;
+  double settling_s = 0;  ///< that was seen
 };
 
 /// Measures them by a second of steps, 20 at least, and a frame, at the start of a simulation.
@@ -403,7 +405,22 @@ Costs try_out(Simulation& simulation, double end) {
   simulation.write_frame_file(scratch / frame_name(1));
   const double particles = std::max(static_cast<double>(simulation.particles()), 1.0);
   return {taken / std::max(static_cast<double>(simulation.counters().particle_steps), 1.0), (steady_seconds() - again) / particles,
-          lengthening};
+          lengthening, simulation.settling().time};
+}
+
+/// Particles that emitters pour in a run.
+struct Poured {
+  double all = 0, mean = 0;  ///< at the end, and over the run
+};
+
+Poured poured_in(const Scene& scene) {
+  Poured poured;
+  for (std::size_t i = 0; i < scene.emitters.size(); ++i) {
+    const EmitterState emitter(scene, scene.emitters[i], i);
+    poured.all += emitter.particles_by(scene.run.end_s, false);
+    poured.mean += emitter.particles_by(scene.run.end_s, true);
+  }
+  return poured;
 }
 
 }  // namespace
@@ -429,18 +446,20 @@ std::string describe_scene(const Scene& scene, int threads) {
       continue;
     }
     const auto n = static_cast<double>(simulation->particles());
+    const Poured poured = poured_in(at);
+    const double mean = n + poured.mean;
     const double first_step = simulation->dt();
     if (!costs) {
       text += fmt::format("  memory       {}\n", simulation->memory_words());
       costs = try_out(*simulation, scene.run.end_s);
       tried = word_of(quality);
     }
-    const double steps = first_step > 0 ? std::ceil(scene.run.end_s / (first_step * costs->lengthening)) : 0;
+    const double steps = first_step > 0 ? std::ceil((scene.run.end_s + costs->settling_s) / (first_step * costs->lengthening)) : 0;
     const double frames = scene.run.end_s * scene.run.frame_rate_per_s;
-    text += fmt::format("  {:<12} dx {:.4g} m, {:.0f} particles, {:.0f} MB ({:.0f} bytes per particle), about {:.0f} steps, {}\n",
-                        word_of(quality), at.dx(), n, static_cast<double>(simulation->bytes()) / 1e6,
-                        n > 0 ? static_cast<double>(simulation->bytes()) / n : 0, steps,
-                        n > 0 ? clock_text(n * (steps * costs->step + frames * costs->frame)) : "no time at all");
+    text += fmt::format("  {:<12} dx {:.4g} m, {:.0f} particles{}, {:.0f} MB ({:.0f} bytes per particle), about {:.0f} steps, {}\n",
+                        word_of(quality), at.dx(), n, poured.all > 0 ? fmt::format(" and about {:.0f} poured", poured.all) : "",
+                        static_cast<double>(simulation->bytes()) / 1e6, n > 0 ? static_cast<double>(simulation->bytes()) / n : 0, steps,
+                        mean > 0 ? clock_text(mean * (steps * costs->step + frames * costs->frame)) : "no time at all");
   }
   for (const std::string& warning : warnings_about(scene)) text += fmt::format("  warning      {}\n", warning);
   for (const std::string& doubt : doubts_about_skins(scene)) text += fmt::format("  doubt        {}\n", doubt);
