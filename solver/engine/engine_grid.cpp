@@ -2,9 +2,9 @@
 // The grid update: from what particles scattered to what they will gather, and its books.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 
+#include "solver/core/elementary.h"
 #include "solver/core/parallel.h"
 #include "solver/core/rows.h"
 #include "solver/core/vector3.h"
@@ -174,7 +174,7 @@ void Engine<Real>::find_fall(Lanes<Real> (&dv)[3]) const {
 template <class Real>
 void Engine<Real>::damp(std::size_t slot, const NodeSums<Real>* sums, Lanes<Real> (*nodes)[k_most_channels], Budget& booked) const {
   using V = Lanes<Real>;
-  const auto kept = static_cast<Real>(std::exp(-physics_->settling.damping * dt_));
+  const auto kept = static_cast<Real>(elementary::exp(-physics_->settling.damping * dt_));
   Impulses<Real> impulses;
   V taken{};
   for (int pack = 0; pack < k_packs<Real>; ++pack) {
