@@ -400,9 +400,14 @@ Costs try_out(Simulation& simulation, double end) {
   const double advanced = simulation.time() + simulation.settling().time;
   const double lengthening = steps > 0 && first_step > 0 ? advanced / steps / first_step : 1;
   const ScratchFolder scratch;
-  simulation.write_frame_file(scratch / frame_name(0));  // the first frame takes much longer than later ones
+  const auto write = [&](int frame) {
+    const ShownFrame shown = simulation.shown_frame();
+    write_frame(scratch / frame_name(frame), shown.particles);
+    if (shown.skin) write_mesh(scratch / frame_name(frame + 2), *shown.skin);
+  };
+  write(0);  // the first frame takes much longer than later ones
   const double again = steady_seconds();
-  simulation.write_frame_file(scratch / frame_name(1));
+  write(1);
   const double particles = std::max(static_cast<double>(simulation.particles()), 1.0);
   return {taken / std::max(static_cast<double>(simulation.counters().particle_steps), 1.0), (steady_seconds() - again) / particles,
           lengthening, simulation.settling().time};
