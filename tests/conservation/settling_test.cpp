@@ -17,15 +17,15 @@ double take_step(Simulation& s, double frame_s) {
   return dt;
 }
 
-/// Everything, a hand's breadth above a hot floor, beside a plate that has begun to move, held by a warm grip.
+/// Everything, so light that its yield stress bears it, on the floor, beside a plate that has begun to move, held by a warm grip.
 Dough put_on_a_tray(const std::string& precision = "double") {
   Dough dough;
   dough.effects = k_everything;
   dough.precision = precision;
   dough.frame_s = 0.01;
-  dough.gravity = "[0, 0, -9.81]";
-  dough.motion = "settle_damping_per_s = 40\nsettle_still_m_per_s = 0.01";
-  dough.shape = "sphere = { centre_m = [0.02, 0.01, -0.7], radius_m = 0.27 }";
+  dough.gravity = "[0, 0, -0.5]";
+  dough.motion = "settle_damping_per_s = 40\nsettle_still_m_per_s = 0.005";
+  dough.shape = "sphere = { centre_m = [0.02, 0.01, -0.73], radius_m = 0.27 }";
   dough.body = "temperature_C = 30\njitter = 1";
   dough.material = Dough::properties(Dough::moving_water());
   dough.tables = R"([oven]
@@ -61,13 +61,14 @@ TEST(Settling, MovesTheDoughAndLeavesEveryClockAndAllHeatWaterAndGasAlone) {
   const Snapshot now = s->snapshot();
   for (const char* column : {"temperature", "peak_temperature", "water_mass", "produced_gas", "leavener"})
     EXPECT_EQ(now[column], start[column]) << column;
-  double fallen = 0;
-  for (std::size_t i = 0; i < now.id.size(); ++i) fallen = larger(fallen, start.position[i][2] - now.position[i][2]);
-  EXPECT_GT(fallen, 0.01);
-  EXPECT_EQ(s->booked(booked::heat_exchanged), 0);
+  double moved = 0;
+  for (std::size_t i = 0; i < now.id.size(); ++i) moved = larger(moved, length(start.position[i] - now.position[i]));
+  EXPECT_GT(moved, 5e-4);
+  const double exchanged = s->booked(booked::heat_exchanged);
+  EXPECT_NEAR(exchanged, 0, 1e-12 * s->total(total::heat_content)) << "but for round-off";
   EXPECT_EQ(s->booked(booked::evaporated), 0);
   s->advance(5 * dough.frame_s, 6 * dough.frame_s);
-  EXPECT_GT(s->booked(booked::heat_exchanged), 0) << "then baking begins";
+  EXPECT_GT(s->booked(booked::heat_exchanged), 1) << "then baking begins";
   EXPECT_GT(s->total(total::gas), 0);
 }
 
@@ -84,9 +85,10 @@ TEST(Settling, IsBookedAsAnImpulse) {
       const double scale = static_cast<double>(s->counters().steps) * round_off(precision) * start.mass() * 4;
       for (std::size_t d = 0; d < 3; ++d) {
         const double water = now.remapped[d];  // what it moves between particles counts from the start of baking on
-        EXPECT_NEAR(now.momentum[d], start.momentum[d] + now.impulse[d] + water, scale) << effects << precision << d;
+        EXPECT_NEAR(now.momentum[d], start.momentum[d] + now.impulse[d] - start.impulse[d] + water - start.remapped[d], scale)
+            << effects << precision << d;
       }
-      EXPECT_GT(length(now.impulse), 0.1 * start.mass()) << "else nothing was tested";
+      EXPECT_GT(length(now.impulse - start.impulse), 0.1 * start.mass()) << "else nothing was tested";
     }
 }
 
@@ -122,7 +124,7 @@ TEST(Settling, OfDoughThatFallsEndsInTimeAndIsNotCalledStill) {
   }
   EXPECT_NEAR(s->settling().time, 0.2, 1e-12);
   EXPECT_FALSE(s->settling().is_still);
-  EXPECT_NEAR(v, 9.81 / 20 * (1 - std::exp(-4)), 0.02);
+  EXPECT_NEAR(v, 9.81 / 20 * (1 - std::exp(-4)), 0.03);
   const double damped = s->booked(booked::damped);
   s->advance(dough.frame_s, 2 * dough.frame_s);
   const Sums now(*s);
