@@ -59,6 +59,8 @@ TEST_P(EveryPush, IsBooked) {
 INSTANTIATE_TEST_SUITE_P(
     Of, EveryPush,
     testing::Combine(testing::Values(Push{"Gravity", "[1, -2, -9.81]", "", "", ""},
+                                     Push{"RampedGravityFloor", "[[0, [0, 0, 0]], [0.03, [1, -2, -60]], [0.05, [0, 0, -20]]]",
+                                          "velocity_m_per_s = [1, 0, -2]", "friction = 0.3", ""},
                                      Push{"SeparatingFloor", "[0, 0, -9.81]", "velocity_m_per_s = [1, 0, -2]", "friction = 0.3", ""},
                                      Push{"StickyFloor", "[0, 0, -9.81]", "velocity_m_per_s = [1, 0, -2]", "z_min = \"sticky\"", ""},
                                      Push{"MovingCollider", "[0, 0, 0]", "", "",

@@ -29,6 +29,7 @@ class Work {
   void add(const Simulation& s) {
     auto now = states(s);
     const double dt = s.time() - time_;
+    const Vector3 g = gravity(s.time());
     time_ = s.time();
     for (std::size_t i = 0; i < last_.size(); ++i) {  // in the order of their identities; none leaves, and what is poured comes last
       const State& before = last_[i];
@@ -36,7 +37,7 @@ class Work {
       p.v = (1 / dt) * (p.x - before.x), p.swelling = std::log(p.J / before.J) / dt;
       const Vector3 v = first_ ? p.v : 0.5 * (p.v + before.v);
       const double swelling = first_ ? p.swelling : (p.swelling + before.swelling) / 2;
-      const double lift = dt * before.mass * dot(gravity(), v), push = dt * before.V_0 * before.pressure * swelling,
+      const double lift = dt * before.mass * dot(g, v), push = dt * before.V_0 * before.pressure * swelling,
                    warming = 0.5 * (before.thermal_pressure + p.thermal_pressure) * p.V_0 * (p.thermal_strain - before.thermal_strain);
       given_ += lift + push + warming;
       exchanged_ += std::abs(lift) + std::abs(push) + std::abs(warming);
@@ -56,7 +57,10 @@ class Work {
     double thermal_strain, thermal_pressure;  ///< 3 alpha_l (theta - theta_0), and K of it less tr epsilon [Pa]
   };
 
-  Vector3 gravity() const { return scene_->lists("motion") ? scene_->of<Motion>().gravity_m_per_s2 : Vector3{0, 0, 0}; }
+  /// Its mean until `time`.
+  Vector3 gravity(double time) const {
+    return scene_->lists("motion") ? scene_->of<Motion>().gravity_m_per_s2.mean(time_, time) : Vector3{0, 0, 0};
+  }
 
   double pressure(const Material& material, double V_0, double J, double theta, double nu, double water) const {
     constexpr double R = 8.314, k_atmosphere = 101325, k_zero = 273.15;

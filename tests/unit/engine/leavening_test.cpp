@@ -110,7 +110,7 @@ TYPED_TEST(PoreGas, FiniteLeavenerKeepsWhatIsMadePlusWhatIsLeft) {
   p[field::c] = lanes<TypeParam>(1);
   BooksOfEverything<TypeParam> books;
   Step<TypeParam> step;
-  step.dt = TypeParam(0.01);
+  step.baking_dt = TypeParam(0.01);
   for (int i = 1; i <= 200; ++i) {
     Leavening::gather(p, 0, this->k, step, books);
     const double made = static_cast<double>(p[field::nu][0]), left = static_cast<double>(p[field::c][0]);
