@@ -17,6 +17,7 @@ struct StudyScene : SceneBuilder {
     material = "density_kg_per_m3 = 1\n";
   }
   std::unique_ptr<Simulation> begin() const;
+  std::unique_ptr<Simulation> after(double time) const;  ///< begun, and stepped until then
 };
 
 /// Steps until `time`, at which everything is sampled. Throws RunError.

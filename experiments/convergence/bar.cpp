@@ -53,6 +53,11 @@ StudyScene Bar::setting() const {
   return setting;
 }
 
+std::string held(const char* point, const char* normal, int temperature_C) {
+  return fmt::format("[[grip]]\nshape = {{ half_space = {{ point_m = {}, normal = {} }} }}\ntemperature_C = {}\n", point, normal,
+                     temperature_C);
+}
+
 std::vector<double> differences(const Snapshot& now, const Field& found, const Profile& exact, const Span& span) {
   std::vector<double> values;
   for (std::size_t i = 0; i < now.id.size(); ++i) {
@@ -64,9 +69,7 @@ std::vector<double> differences(const Snapshot& now, const Field& found, const P
 
 std::vector<double> temperature_differences(Bar bar, double cells, const Profile& exact, const Span& span) {
   bar.cells = static_cast<int>(cells);
-  const auto s = bar.begin();
-  run_to(*s, bar.end_s);
-  const Snapshot now = s->snapshot();
+  const Snapshot now = bar.end()->snapshot();
   const auto& theta = now["temperature"];
   return differences(
       now, [&](std::size_t i) { return theta[i]; }, exact, span);

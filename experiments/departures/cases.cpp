@@ -58,8 +58,7 @@ double cooled(const char* form, bool quick) {
   setting.material = "density_kg_per_m3 = 1\ninitial_temperature_C = 100\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
   setting.tables =
       fmt::format("[heat]\nheat_transfer_form = \"{}\"\n[oven]\ntemperature_C = 20\nheat_transfer_coefficient_W_per_m2K = 1\n", form);
-  const auto s = setting.begin();
-  run_to(*s, 0.2);
+  const auto s = setting.after(0.2);
   return s->total(total::temperature) / s->total(total::volume);
 }
 
@@ -68,8 +67,7 @@ double area_found(const char* form, bool quick) {
   setting.material = "density_kg_per_m3 = 1\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
   setting.surface = fmt::format("form = \"{}\"", form);
   setting.tables = "[oven]\ntemperature_C = 20\nheat_transfer_coefficient_W_per_m2K = 1\n";
-  const auto s = setting.begin();
-  run_to(*s, 1e-3);
+  const auto s = setting.after(1e-3);
   return s->booked(booked::area) / (4 * M_PI);
 }
 
@@ -138,9 +136,7 @@ Soaked soaked(const char* water, bool quick) {
   StudyScene setting = halves("water", fmt::format("saturation = {}", k_soaked), "saturation = 0", quick);
   setting.material = "density_kg_per_m3 = 1\nwater_density_kg_per_m3 = 1\ninitial_temperature_C = 1\ndiffusivity_m2_per_sK = 1\n";
   setting.tables = fmt::format("[water]\n{}\n", water) + setting.tables;
-  const auto s = setting.begin();
-  run_to(*s, 0.1);
-  const Snapshot end = s->snapshot();
+  const Snapshot end = setting.after(0.1)->snapshot();
   Soaked most{0, 0};
   for (std::size_t i = 0; i < end.id.size(); ++i) {
     double& half = end.position[i][0] < 0 ? most.wet : most.dry;
@@ -154,8 +150,7 @@ double uneven(const char* heat, bool quick) {
   StudyScene setting = halves("heat", "temperature_C = 0", "temperature_C = 100", quick);
   setting.material += "specific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
   setting.heat = heat;
-  const auto s = setting.begin();
-  run_to(*s, 1);
+  const auto s = setting.after(1);
   return s->highest(highest::temperature) + s->highest(highest::coldness);
 }
 

@@ -11,8 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "experiments/common/study.h"
-
 namespace bake::studies {
 
 /// One point of a map.
@@ -38,6 +36,5 @@ inline constexpr double k_most_safety = 64;
 
 std::vector<Probe> all_probes(bool quick);
 Edge find_edge(const Probe& probe);
-bool run_stability(const StudyOptions& options);
 
 }  // namespace bake::studies

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The study of accuracy: its fronts, its raw data, and that a study which was stopped goes on.
-#include "experiments/accuracy/accuracy.h"
+#include "experiments/common/study.h"
 
 #include <gtest/gtest.h>
 
