@@ -50,6 +50,19 @@ production_mol_per_kgs = 0.3
 )" + water +
            "\n" + extra;
   }
+  /// The same with some keys given other values.
+  static std::string changed(std::initializer_list<std::pair<const char*, const char*>> keys, const std::string& water = "") {
+    std::string text = properties(water);
+    for (const auto& [key, value] : keys) {
+      const std::size_t at = text.find(std::string("\n") + key + " = ");
+      const std::string line = std::string("\n") + key + " = " + value;
+      if (at == std::string::npos)
+        text += line + "\n";
+      else
+        text.replace(at, text.find('\n', at + 1) - at, line);
+    }
+    return text;
+  }
   static std::string moving_water() { return "diffusivity_m2_per_sK = 2e-4\nevaporation_kg_per_m2sK = 0.5"; }
 };
 

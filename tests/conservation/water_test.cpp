@@ -45,10 +45,8 @@ INSTANTIATE_TEST_SUITE_P(With, WaterThatMoves,
 TEST(Vapour, TakesItsMomentumWithIt) {
   Dough dough;
   dough.effects = "motion, water, elasticity";
-  dough.material = Dough::properties("evaporation_kg_per_m2sK = 1");
+  dough.material = Dough::changed({{"pressure_Pa", "0"}}, "evaporation_kg_per_m2sK = 1");
   dough.surface = "form = \"published\"";  // takes water that does not diffuse: what diffuses pushes its solid
-  const std::string key = "pressure_Pa = 300";
-  dough.material.replace(dough.material.find(key), key.size(), "pressure_Pa = 0");
   dough.body = "velocity_m_per_s = [1, -0.5, 0.25]";
   const auto s = dough.begin();
   const Sums start(*s);
@@ -122,7 +120,8 @@ double hit_by_a_drier_ball(bool uniform) {
   Dough dough;
   dough.effects = k_everything;
   dough.frame_s = 2e-4;
-  dough.material = Dough::properties("diffusivity_m2_per_sK = 2e-4");
+  // uniform: nothing that would change a temperature
+  dough.material = Dough::changed({{"expansion_per_K", uniform ? "0" : "1e-4"}}, "diffusivity_m2_per_sK = 2e-4");
   dough.shape = "sphere = { centre_m = [0, 0, -0.15], radius_m = 0.5 }";
   dough.body = std::string("temperature_C = 60\nsaturation = 0.4\n") +
                (uniform ? "" : "angular_velocity_rad_per_s = [0, 0, 4]\nvelocity_m_per_s = [1, 0, 0]");
@@ -135,8 +134,6 @@ velocity_m_per_s = )" +
                  (uniform ? "[0, 0, 0]" : "[-1, 0, 0.5]") + R"(
 shape = { sphere = { centre_m = [0, 0, 0.55], radius_m = 0.25 } }
 )";
-  if (uniform)  // nothing that would change a temperature
-    dough.material.replace(dough.material.find("expansion_per_K = 1e-4"), 22, "expansion_per_K = 0");
   const auto s = dough.begin();
   const Sums start(*s);
   take_steps(*s, 52, dough.frame_s);
@@ -195,8 +192,7 @@ double water_left_at(double& volume_ratio, const char* form) {
   dough.tables = fmt::format("[water]\nform = \"{}\"\n", form);
   dough.body = "temperature_C = 40";
   dough.frame_s = 2e-3;
-  const std::string key = "production_mol_per_kgs = 0.3";
-  dough.material.replace(dough.material.find(key), key.size(), "production_mol_per_kgs = 1");
+  dough.material = Dough::changed({{"production_mol_per_kgs", "1"}});
   const auto s = dough.begin();
   const Sums start(*s);
   take_steps(*s, 150, dough.frame_s);

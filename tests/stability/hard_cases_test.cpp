@@ -36,8 +36,7 @@ TEST(AStepBelowTheSmallestAllowed, EndsTheRunWithTheReason) {
 
 TEST(AStepOfAbsurdlyStiffDough, EndsTheRunInsteadOfCrawling) {
   Dough dough = small();
-  const std::string usual = "young_modulus_Pa = 2e4";
-  dough.material.replace(dough.material.find(usual), usual.size(), "young_modulus_Pa = 1e30");
+  dough.material = Dough::changed({{"young_modulus_Pa", "1e30"}});
   const std::string message = message_of<RunError>([&] { Watched(dough).run(0.01); });
   for (const char* part : {"stiffness", "below time.smallest_step_s = "}) EXPECT_NE(message.find(part), std::string::npos) << message;
 }
@@ -272,9 +271,7 @@ TEST(StiffPores, AreStableAndFreeOfStressAtTheStart) {
   Dough dough = small();
   dough.effects = k_everything;
   dough.gravity = "[0, 0, 0]";
-  const auto change = [&](const std::string& from, const char* to) { dough.material.replace(dough.material.find(from), from.size(), to); };
-  change("initial_porosity = 0.2", "initial_porosity = 0.01");
-  change("production_mol_per_kgs = 0.3", "");
+  dough.material = Dough::changed({{"initial_porosity", "0.01"}, {"production_mol_per_kgs", "0"}});
   dough.leavening = "reference_pressure_Pa = 101325";
   dough.frame_s = 1;
   Watched ball(dough);
@@ -420,8 +417,7 @@ TEST(ADoughHeatedFromTheFreezerTo400DegreesInOneFrame, StaysFinite) {
   Dough dough = small();
   dough.effects = k_everything;
   dough.body = "temperature_C = -20";
-  const std::string key = "conductivity_W_per_mK = 100";
-  dough.material.replace(dough.material.find(key), key.size(), "conductivity_W_per_mK = 1e5");
+  dough.material = Dough::changed({{"conductivity_W_per_mK", "1e5"}});
   dough.tables = "[oven]\ntemperature_C = 400\nheat_transfer_coefficient_W_per_m2K = 1e5\n";
   Watched ball(dough);
   ASSERT_NO_FATAL_FAILURE(ball.run(0.04));

@@ -62,6 +62,9 @@ struct Body {
       frames.push_back(frame(row));
     }
   }
+  std::size_t at(const char* column) const {
+    return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), column) - columns.begin());
+  }
   static FrameData frame(int number) {
     FrameData data;
     std::vector<double> positions;
@@ -127,17 +130,16 @@ Fracture torn() {
 
 /// A place that every metric accepts; those of surfaces look at a box, too.
 MetricPlace place_for(const Metric& metric) {
-  MetricPlace place;
-  place.from_m = Vector3{0, 1, 0};
-  place.to_m = Vector3{3.9, 1, 0};
-  place.point_m = Vector3{1, 1, 0};
-  place.low_m = Vector3{-0.5, -2, -2};
-  place.high_m = Vector3{2.5, 2, 2};
-  place.radius_m = 2.5;
-  place.temperature_C = std::string_view(metric.name) == "heating_window" ? 60 : 70;
-  place.dried_share = 0.5;
-  place.material = std::string("batter");
-  place.softened_to = 0.5;
+  MetricPlace place{.from_m = Vector3{0, 1, 0},
+                    .to_m = Vector3{3.9, 1, 0},
+                    .point_m = Vector3{1, 1, 0},
+                    .low_m = Vector3{-0.5, -2, -2},
+                    .high_m = Vector3{2.5, 2, 2},
+                    .radius_m = 2.5,
+                    .temperature_C = std::string_view(metric.name) == "heating_window" ? 60 : 70,
+                    .dried_share = 0.5,
+                    .material = "batter",
+                    .softened_to = 0.5};
   if (std::string_view(metric.name) == "springback") place.time_s = 1;
   if (std::string_view(metric.name) == "doming") place.point_m = Vector3{2.4, -0.45, 0};  // particles in all rings around it
   return place;
@@ -285,8 +287,7 @@ TEST_F(NoMetric, TellsAGainOrADriftOfARunThatHasNotBegun) {
 
 TEST_F(NoMetric, LeavesUnsaidWhereItMetNaN) {
   Body body;
-  body.rows[1][static_cast<std::size_t>(std::find(body.columns.begin(), body.columns.end(), "heat_content_J") - body.columns.begin())] =
-      k_nan;
+  body.rows[1][body.at("heat_content_J")] = k_nan;
   std::get<std::vector<float>>(body.frames[2].columns[0].values)[17] = std::nanf("");
   const auto all = measured(body);
   EXPECT_EQ(all.at("heat_drift").problem, (folder_ / "ledger.csv").string() + ":3: heat_content_J: found nan, allowed: a finite number");
@@ -296,20 +297,14 @@ TEST_F(NoMetric, LeavesUnsaidWhereItMetNaN) {
 
 TEST_F(NoMetric, TakesANegativeHeatContentForASmallDrift) {
   Body body;
-  const auto at = [&](const char* name) {
-    return static_cast<std::size_t>(std::find(body.columns.begin(), body.columns.end(), name) - body.columns.begin());
-  };
-  for (auto& row : body.rows) std::fill(row.begin() + 1, row.end(), 0), row[at("heat_content_J")] = -100;
-  body.rows[2][at("heat_content_J")] = -150;
+  for (auto& row : body.rows) std::fill(row.begin() + 1, row.end(), 0), row[body.at("heat_content_J")] = -100;
+  body.rows[2][body.at("heat_content_J")] = -150;
   EXPECT_DOUBLE_EQ(measured(body).at("heat_drift").value, 50. / 150) << "the content is below zero at temperatures below 0 C";
 }
 
 TEST_F(NoMetric, LeadsByNothingBetweenOneParticleAndItself) {
   const Results run = Body().written(folder_.path());
-  MetricPlace place;
-  place.from_m = Vector3{0, 1, 0};
-  place.to_m = Vector3{0.01, 1, 0};
-  const Measurement m = measure(find_metric("temperature_lead"), run, place);
+  const Measurement m = measure(find_metric("temperature_lead"), run, {.from_m = Vector3{0, 1, 0}, .to_m = Vector3{0.01, 1, 0}});
   EXPECT_NE(m.problem.find("found one particle nearest to from_m and to_m, allowed: two"), std::string::npos) << m.problem;
 }
 

@@ -120,7 +120,7 @@ std::string error_of(const Shape& solid, std::size_t target) {
 }
 
 TEST(Tets, OfWhatCannotBeFilledAreRefused) {
-  EXPECT_EQ(error_of(*below(0), 1000), "the shape has no end: it cannot be meshed");
+  EXPECT_EQ(error_of(*make_half_space({0, 0, 0}, {0, 0, 1}), 1000), "the shape has no end: it cannot be meshed");
   const ShapePtr apart = make_intersection({ball(), make_transformed(ball(), 1, {0, 0, 0}, {1, 0, 0})});
   EXPECT_EQ(error_of(*apart, 1000), "the shape is empty: no point of its bounds is inside");
   EXPECT_EQ(error_of(*ball(), 4), "4 vertices are too few to fill the shape with tetrahedra");
