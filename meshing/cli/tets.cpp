@@ -51,9 +51,7 @@ struct Aim {
   double volume_m3 = 0;
 
   Verdict judge(const TetMesh& mesh) const {
-    double volume = 0;
-    for (const Tet& tet : mesh.tets) volume += tet_volume(mesh.points, tet);
-    return {std::abs(static_cast<double>(mesh.points.size()) / static_cast<double>(vertices) - 1), std::abs(volume / volume_m3 - 1)};
+    return {std::abs(static_cast<double>(mesh.points.size()) / static_cast<double>(vertices) - 1), std::abs(volume(mesh) / volume_m3 - 1)};
   }
   /// Empty if the mesh is as asked for.
   std::string complaint(const TetMesh& mesh) const {

@@ -77,7 +77,7 @@ TEST(FractureLaw, EveryPieceIsClosedAndTheVolumeIsKept) {
     const MaterialShape shape = material_shape(topology, surface, passes);
     const std::vector<Piece> found = take_census(surface, pieces(topology, broken), shape.points);
     RC_ASSERT(std::all_of(found.begin(), found.end(), [](const Piece& piece) { return piece.closed; }));
-    expect_near(total_volume(found), volume_of(topology.mesh), 1e-12);
+    expect_near(total_volume(found), volume(topology.mesh), 1e-12);
     if (passes == 0) {  // each piece has the volumes of its vertices
       const std::vector<double> volumes = vertex_volumes(topology.mesh);
       std::vector<double> expected(found.size(), 0);

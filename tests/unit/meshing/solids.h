@@ -28,10 +28,4 @@ inline TetMesh delaunay_mesh(std::vector<Point> points) {
   return mesh;
 }
 
-inline double volume_of(const TetMesh& mesh) {
-  double sum = 0;
-  for (const Tet& tet : mesh.tets) sum += tet_volume(mesh.points, tet);
-  return sum;
-}
-
 }  // namespace bake

@@ -41,7 +41,7 @@ TEST_P(ASolid, IsFilledWithTheVerticesAskedForAndWatertight) {
   EXPECT_NEAR(static_cast<double>(mesh.points.size()), static_cast<double>(target), 0.02 * static_cast<double>(target));
   expect_sound(mesh);
   const double expected = volume > 0 ? volume : solid_volume(*solid);
-  EXPECT_NEAR(volume_of(mesh), expected, 0.02 * expected);
+  EXPECT_NEAR(bake::volume(mesh), expected, 0.02 * expected);
   for (const Point& x : mesh.points) ASSERT_LT(solid->distance(x), 1e-6);
 }
 
