@@ -5,11 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "solver/scene/settings.h"
-
-namespace bake {
-struct Scene;
-}
+#include "solver/run/simulation.h"
 
 namespace bake::bench {
 
@@ -44,5 +40,11 @@ Scene loaf(const Combination& combination, Precision precision, double particles
 
 /// An elastic cube without gravity, with the given number of cells per side and eight particles per cell at quarter offsets.
 Scene elastic_block(Precision precision, int cells);
+
+/// Takes so many steps, of which none is shortened to hit a time.
+inline void take_steps(Simulation& simulation, int steps) {
+  constexpr double never = 1e6;  // [s]
+  simulation.advance(never, never, [&] { return --steps > 0; });
+}
 
 }  // namespace bake::bench

@@ -18,11 +18,6 @@
 namespace bake::studies {
 namespace {
 
-void take_steps(Simulation& simulation, int steps) {
-  constexpr double never = 1e6;  // [s]: no step is one that samples
-  simulation.advance(never, never, [&] { return --steps > 0; });
-}
-
 struct Running {
   std::unique_ptr<Scene> scene;  // the simulation refers to it
   std::unique_ptr<Simulation> simulation;

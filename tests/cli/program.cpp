@@ -62,6 +62,14 @@ Outcome Workplace::bake(const std::string& arguments, const std::string& before)
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder() / ".out"), contents(folder() / ".err")};
 }
 
+void expect_success(const Workplace& place, const std::string& arguments, const std::string& said) {
+  SCOPED_TRACE(fmt::format("{} {}", place.program_name(), arguments));
+  const Outcome outcome = place.bake(arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find(said), std::string::npos) << outcome.out;
+}
+
 std::string expect_refused(const Workplace& place, const std::string& arguments, const std::string& reason, const std::string& before,
                            int exit_code) {
   SCOPED_TRACE(fmt::format("{} {}", place.program_name(), arguments));

@@ -15,11 +15,6 @@ namespace {
 constexpr double k_particles = 8000;
 constexpr int k_warm_up = 12;  // then most particles flow
 
-void take_steps(Simulation& simulation, int steps) {
-  constexpr double never = 1e6;  // [s]: no step is one that samples
-  simulation.advance(never, never, [&] { return --steps > 0; });
-}
-
 }  // namespace
 
 void take_counted_steps() {

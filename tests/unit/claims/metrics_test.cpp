@@ -259,7 +259,7 @@ class SurfaceMetrics : public testing::Test {
  protected:
   double measure(const char* metric, const MetricPlace& place = {}, const std::string& json = k_fracture) const {
     std::ofstream(folder_ / "fracture.json") << json;
-    return find_metric(metric).of_surface(read_fracture(folder_ / "fracture.json"), place);
+    return std::get<OfSurface>(find_metric(metric).of)(read_fracture(folder_ / "fracture.json"), place);
   }
   const TemporaryFolder folder_;
 };
@@ -345,7 +345,9 @@ std::string closed_books(const std::string& content, const std::vector<Booking>&
 }
 
 TEST_F(ResultsOfARun, CloseTheBooksOfEveryContentWithEveryBookingsSign) {
-  const auto drift = [&](const char* metric, const std::string& ledger) { return find_metric(metric).of_run(results(ledger), {}); };
+  const auto drift = [&](const char* metric, const std::string& ledger) {
+    return std::get<OfRun>(find_metric(metric).of)(results(ledger), {});
+  };
   EXPECT_EQ(drift("heat_drift", closed_books("heat_content_J", {{"heat_exchanged_J", 1},
                                                                 {"latent_heat_J", -1},
                                                                 {"vapour_heat_J", -1},
@@ -370,7 +372,7 @@ TEST_F(ResultsOfARun, CloseTheBooksOfEveryContentWithEveryBookingsSign) {
 
 TEST_F(ResultsOfARun, DriftAsFarAsTheyEverWereFromTheStart) {
   const Results run = results("time_s,solid_mass_kg,retired_solid_mass_kg,emitted_solid_mass_kg\n0,2,0,0\n1,5,0,0\n2,3,0,0\n");
-  EXPECT_EQ(find_metric("solid_drift").of_run(run, {}), 1.5);
+  EXPECT_EQ(std::get<OfRun>(find_metric("solid_drift").of)(run, {}), 1.5);
 }
 
 TEST_F(ResultsOfARun, TellWhatEveryColumnWasAtTheEndOrOnTheWay) {
@@ -383,12 +385,12 @@ TEST_F(ResultsOfARun, TellWhatEveryColumnWasAtTheEndOrOnTheWay) {
       {"largest_height", 7},    {"surface", 3},           {"gas_made", 5},         {"water_lost_share", 0.2},
       {"coldest", 6},           {"coldest_ever", 3},      {"hottest_ever", 95},    {"dissipated", 11},
       {"mean_temperature", 40}, {"retired_particles", 7}, {"poured_mass", 4}};
-  for (const auto& [metric, value] : all) EXPECT_DOUBLE_EQ(find_metric(metric).of_run(run, {}), value) << metric;
+  for (const auto& [metric, value] : all) EXPECT_DOUBLE_EQ(std::get<OfRun>(find_metric(metric).of)(run, {}), value) << metric;
 }
 
 TEST_F(ResultsOfARun, TellHowMuchOfTheHeightComesBack) {
   const Results run = results("time_s,height_m\n0,3\n1,4\n2,2\n3,2.5\n");
-  const auto springback = [&](const MetricPlace& place) { return find_metric("springback").of_run(run, place); };
+  const auto springback = [&](const MetricPlace& place) { return std::get<OfRun>(find_metric("springback").of)(run, place); };
   EXPECT_DOUBLE_EQ(springback({.time_s = 2}), 0.5) << "of what was there at the start";
   EXPECT_DOUBLE_EQ(springback({.reference_time_s = 1, .time_s = 2}), 0.25);
   EXPECT_FALSE(std::isfinite(springback({.reference_time_s = 2, .time_s = 2}))) << "no height was lost";
@@ -398,10 +400,10 @@ TEST_F(ResultsOfARun, TellGainsAndWhatTheBooksDoNotExplain) {
   const Results run = results(
       "time_s,volume_m3,solid_mass_kg,retired_solid_mass_kg,emitted_solid_mass_kg,emitted_volume_m3\n0,1,2,0,0,0\n1,2,1.5,0.5,0,0\n"
       "2,3,2.25,0.5,0.5,1\n");
-  EXPECT_DOUBLE_EQ(find_metric("solid_drift").of_run(run, {}), 0.25 / 2.5);
-  EXPECT_EQ(find_metric("volume_gain").of_run(run, {}), 1.5);
+  EXPECT_DOUBLE_EQ(std::get<OfRun>(find_metric("solid_drift").of)(run, {}), 0.25 / 2.5);
+  EXPECT_EQ(std::get<OfRun>(find_metric("volume_gain").of)(run, {}), 1.5);
   const Results nothing = results("time_s,volume_m3,emitted_volume_m3\n0,0,0\n1,1,0\n");
-  EXPECT_FALSE(std::isfinite(find_metric("volume_gain").of_run(nothing, {}))) << "a gain over nothing";
+  EXPECT_FALSE(std::isfinite(std::get<OfRun>(find_metric("volume_gain").of)(nothing, {}))) << "a gain over nothing";
 }
 
 }  // namespace

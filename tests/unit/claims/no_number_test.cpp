@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <sstream>
 
 #include "analysis/claims/claim.h"
 #include "solver/io/frames.h"
@@ -23,35 +24,13 @@ struct Body {
   std::vector<FrameData> frames;
 
   Body() {
-    for (const char* name : {"volume_m3",
-                             "height_m",
-                             "extent_x_m",
-                             "extent_y_m",
-                             "surface_m2",
-                             "skin_area_m2",
-                             "water_evaporated_kg",
-                             "water_mass_kg",
-                             "gas_mol",
-                             "temperature_min_C",
-                             "temperature_mean_C",
-                             "temperature_max_C",
-                             "dissipated_J",
-                             "solid_mass_kg",
-                             "retired_solid_mass_kg",
-                             "emitted_solid_mass_kg",
-                             "retired_water_mass_kg",
-                             "emitted_water_mass_kg",
-                             "heat_content_J",
-                             "heat_exchanged_J",
-                             "latent_heat_J",
-                             "vapour_heat_J",
-                             "expansion_heat_J",
-                             "water_remap_heat_J",
-                             "retired_heat_content_J",
-                             "emitted_heat_content_J",
-                             "emitted_volume_m3",
-                             "retired_particles"})
-      columns.emplace_back(name);
+    std::istringstream names(
+        "volume_m3 height_m extent_x_m extent_y_m surface_m2 skin_area_m2 water_evaporated_kg water_mass_kg gas_mol "
+        "temperature_min_C temperature_mean_C temperature_max_C dissipated_J solid_mass_kg retired_solid_mass_kg "
+        "emitted_solid_mass_kg retired_water_mass_kg emitted_water_mass_kg heat_content_J heat_exchanged_J latent_heat_J "
+        "vapour_heat_J expansion_heat_J water_remap_heat_J retired_heat_content_J emitted_heat_content_J emitted_volume_m3 "
+        "retired_particles");
+    for (std::string name; names >> name;) columns.push_back(name);
     for (const char axis : {'x', 'y', 'z'})
       for (const char* what : {"momentum", "impulse", "water_remap_momentum", "retired_momentum", "emitted_momentum"})
         columns.push_back(fmt::format("{}_{}_kg_m_per_s", what, axis));
@@ -153,7 +132,7 @@ class NoMetric : public testing::Test {
     kept_ = body.frames;
     std::map<std::string, Measurement> all;
     for (const Metric& metric : all_metrics())
-      if (metric.of_run) all.emplace(metric.name, measure(metric, run, place_for(metric)));
+      if (metric.is_of_run()) all.emplace(metric.name, measure(metric, run, place_for(metric)));
     return all;
   }
   /// Those whose number is another one now, but is a number.
@@ -175,7 +154,7 @@ class NoMetric : public testing::Test {
 TEST_F(NoMetric, LacksANumberOfAWholeBody) {
   for (const auto& [name, m] : measured(Body())) EXPECT_TRUE(m.is_number()) << name << ": " << m.problem;
   for (const Metric& metric : all_metrics())
-    EXPECT_TRUE(!metric.of_surface || measure(metric, torn(), place_for(metric)).is_number()) << metric.name;
+    EXPECT_TRUE(metric.is_of_run() || measure(metric, torn(), place_for(metric)).is_number()) << metric.name;
 }
 
 TEST_F(NoMetric, HasANumberWhereAllAreNaN) {
@@ -236,7 +215,7 @@ TEST_F(NoMetric, OfASurfacePassesOverNaN) {
   };
   for (std::size_t i = 0; i < changes.size(); ++i)
     for (const Metric& metric : all_metrics()) {
-      if (!metric.of_surface) continue;
+      if (metric.is_of_run()) continue;
       Fracture fracture = torn();
       changes[i](fracture);
       const Measurement m = measure(metric, fracture, place_for(metric));
@@ -250,7 +229,7 @@ TEST_F(NoMetric, IsMeasuredOfAnEmptySurface) {
   for (const Change& change : {Change([](Fracture& f) { f.frames.clear(); }), Change([](Fracture& f) { f.frames[1].pieces.clear(); }),
                                Change([](Fracture& f) { f.frames[1].volume_m3 = 0; }), Change([](Fracture& f) { f.mesh_volume_m3 = 0; })})
     for (const Metric& metric : all_metrics()) {
-      if (!metric.of_surface) continue;
+      if (metric.is_of_run()) continue;
       Fracture fracture = torn();
       change(fracture);
       EXPECT_FALSE(measure(metric, fracture, place_for(metric)).is_number()) << metric.name;
@@ -263,10 +242,10 @@ TEST_F(NoMetric, IsMeasuredBeyondTheLastFrame) {
     MetricPlace place = place_for(metric);
     const auto number_at = [&](double time) {
       place.time_s = time;
-      return (metric.of_run ? measure(metric, run, place) : measure(metric, torn(), place)).is_number();
+      return (metric.is_of_run() ? measure(metric, run, place) : measure(metric, torn(), place)).is_number();
     };
     if (std::find(metric.knows.begin(), metric.knows.end(), "time_s") == metric.knows.end()) continue;
-    const double last = metric.of_run ? 2 : 1;
+    const double last = metric.is_of_run() ? 2 : 1;
     EXPECT_TRUE(number_at(last + 0.5)) << metric.name << ": half a frame";
     EXPECT_FALSE(number_at(last + 0.51)) << metric.name;
     EXPECT_FALSE(number_at(-0.51)) << metric.name;
