@@ -2,7 +2,6 @@
 // Metrics of what dries in a skin: how it shrinks and folds, and how it loses its water.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 

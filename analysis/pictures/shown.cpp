@@ -33,9 +33,7 @@ std::filesystem::path run_around(const std::filesystem::path& frame) {
 
 }  // namespace
 
-double diameter(const std::vector<double>& points) {
-  return points.empty() ? 0 : box_around<double>(points).diagonal().norm();
-}
+double diameter(const std::vector<double>& points) { return points.empty() ? 0 : box_around<double>(points).diagonal().norm(); }
 
 Shown::Shown(std::filesystem::path file, std::filesystem::path results, int threads)
     : file_(std::move(file)), results_(std::move(results)), threads_(threads) {

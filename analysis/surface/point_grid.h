@@ -2,7 +2,6 @@
 // Sorts points into bins of equal size, to find those near a position.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <numeric>

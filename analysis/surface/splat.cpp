@@ -2,7 +2,6 @@
 #include "analysis/surface/splat.h"
 
 #include <fmt/format.h>
-#include <omp.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkFlyingEdges3D.h>
@@ -16,7 +15,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <limits>
 
 #include "analysis/surface/mesh_tools.h"

@@ -2,7 +2,6 @@
 // The study of accuracy: what an error costs, for every setting that can be chosen.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <optional>
 

@@ -3,12 +3,10 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <stdexcept>
 
 #include "analysis/machines/scenes.h"
-#include "analysis/machines/statistics.h"
 #include "analysis/machines/stopwatch.h"
 #include "experiments/effects/effects.h"
 #include "solver/engine/engine.h"

@@ -2,7 +2,6 @@
 // What every effect costs, and what it changes.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 

@@ -6,7 +6,6 @@
 
 #include "experiments/make/computed.h"
 #include "experiments/make/published.h"
-#include "solver/core/errors.h"
 #include "solver/scene/entry.h"
 
 namespace bake {

@@ -3,14 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "solver/core/union_find.h"
 #include "solver/core/vector3.h"
 
 namespace bake {
-
-namespace {
 
 Breaking::Breaking(const Topology& topology, const std::vector<Point>& reference, const BreakingRule& rule)
     : topology_(topology),

@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
-#include <stdexcept>
 
 namespace bake::test {
 namespace {

@@ -2,7 +2,6 @@
 // A skin on a body: momenta are kept, and energy goes from one kind into another.
 #include <gtest/gtest.h>
 
-#include "solver/engine/sheets.h"
 #include "tests/conservation/dough.h"
 
 namespace bake {

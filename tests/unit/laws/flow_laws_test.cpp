@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 
 #include "solver/effects/plasticity.h"
 #include "solver/engine/physics.h"

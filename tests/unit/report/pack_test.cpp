@@ -6,7 +6,6 @@
 #include <libdeflate.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "experiments/report/body.h"
