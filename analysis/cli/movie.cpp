@@ -103,7 +103,7 @@ Stage stage_of(const View& view, const std::vector<fs::path>& files, const fs::p
   return set_stage(view, points);
 }
 
-int make_movie(const Options& options) {
+void make_movie(const Options& options) {
   const View view = options.read();
   const int threads = thread_count(options.threads);
   const std::vector<fs::path> files = thinned(files_in(options.folder), options.every);
@@ -123,7 +123,6 @@ int make_movie(const Options& options) {
     fmt::print("{}\n", film.string());
   else
     fmt::print("{} pictures in {}; to get an mp4, apt-get install ffmpeg\n", files.size(), options.out.string());
-  return k_success;
 }
 
 }  // namespace
@@ -136,7 +135,7 @@ void add_movie_command(CLI::App& app, Action& action) {
   command->add_option("--out", options->out, "folder of the pictures")->required();
   command->add_option("--every", options->every, "take every n-th frame, and the last [1]")->transform(whole_number(1, 1000000));
   command->add_option("--rate", options->rate, "pictures per second of the mp4 [24]")->check(CLI::PositiveNumber);
-  command->callback([&action, options] { action = [options] { return make_movie(*options); }; });
+  on_request(*command, action, [options] { make_movie(*options); });
 }
 
 }  // namespace bake::render
