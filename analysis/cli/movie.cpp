@@ -51,35 +51,14 @@ std::string numbered_pictures(const fs::path& folder) {
 bool film_from(const fs::path& folder, std::size_t count, double rate, const fs::path& film) {
   AtomicFile file(film);
   // H.264 needs an even number of pixels, and players assume the colours of television unless the film states them
-  const ChildEnd end = run_child({"ffmpeg",
-                                  "-y",
-                                  "-loglevel",
-                                  "error",
-                                  "-framerate",
-                                  fmt::format("{:g}", rate),
-                                  "-i",
-                                  numbered_pictures(folder),
-                                  "-frames:v",
-                                  std::to_string(count),
-                                  "-vf",
-                                  "crop=trunc(iw/2)*2:trunc(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv",
-                                  "-c:v",
-                                  "libx264",
-                                  "-crf",
-                                  "18",
-                                  "-pix_fmt",
-                                  "yuv420p",
-                                  "-colorspace",
-                                  "bt709",
-                                  "-color_primaries",
-                                  "bt709",
-                                  "-color_trc",
-                                  "bt709",
-                                  "-movflags",
-                                  "+faststart",
-                                  "-f",
-                                  "mp4",
-                                  "file:" + film.string() + ".part"});
+  const std::string rate_per_s = fmt::format("{:g}", rate), from = numbered_pictures(folder), frames = std::to_string(count);
+  const std::string look = "crop=trunc(iw/2)*2:trunc(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv",
+                    to = "file:" + film.string() + ".part";
+  const ChildEnd end = run_child({"ffmpeg", "-y",         "-loglevel", "error",     "-framerate",  rate_per_s, "-i",
+                                  from,     "-frames:v",  frames,      "-vf",       look,          "-c:v",     "libx264",
+                                  "-crf",   "18",         "-pix_fmt",  "yuv420p",   "-colorspace", "bt709",    "-color_primaries",
+                                  "bt709",  "-color_trc", "bt709",     "-movflags", "+faststart",  "-f",       "mp4",
+                                  to});
   if (end.start_error != 0) return false;
   if (end.exit_code != 0) throw RunError(fmt::format("ffmpeg failed; the pictures are in {}", quotable_path(folder)));
   file.commit();

@@ -38,17 +38,14 @@ TEST_P(EveryPush, IsBooked) {
   const auto s = dough.begin();
   const Sums start(*s);
   constexpr double k_fastest = 4, k_reach = 2;  // [m/s], [m]
-  int steps = 0;
   double pushed = 0;
-  take_steps(*s, static_cast<int>(std::lround(0.06 / dough.frame_s)), dough.frame_s, [&] {
-    const Sums now(*s);
+  take_steps(*s, static_cast<int>(std::lround(0.06 / dough.frame_s)), dough.frame_s, [&](int step, const Sums& now) {
     // impulses of floors and walls go back and forth: what was booked in all bounds what round-off can be
     const double scale = start.mass() * k_fastest;
-    ++steps;
     for (std::size_t d = 0; d < 3; ++d) {
-      ASSERT_NEAR(now.momentum[d], start.momentum[d] + now.impulse[d] - start.impulse[d], steps * round_off(precision) * scale) << d;
+      ASSERT_NEAR(now.momentum[d], start.momentum[d] + now.impulse[d] - start.impulse[d], step * round_off(precision) * scale) << d;
       ASSERT_NEAR(now.angular[d], start.angular[d] + now.angular_impulse[d] - start.angular_impulse[d],
-                  steps * round_off(precision) * scale * k_reach)
+                  step * round_off(precision) * scale * k_reach)
           << d;
     }
     pushed = larger(pushed, length(now.impulse));
@@ -110,10 +107,9 @@ TEST(AnOpenFace, RetiresAndBooksWhatPassesIt) {
   const auto s = thrown("open", k_everything).begin();
   const Sums start(*s);
   const auto particles = static_cast<std::int64_t>(s->particles());
-  int steps = 0;
-  take_steps(*s, 200, 1e-3, [&] {
-    const Sums now(*s), retired(Sums::retired(*s));
-    const double tolerance = ++steps * 1e-12, speed = 6, reach = 2;
+  take_steps(*s, 200, 1e-3, [&](int step, const Sums& now) {
+    const Sums retired(Sums::retired(*s));
+    const double tolerance = step * 1e-12, speed = 6, reach = 2;
     ASSERT_NEAR(now.solid + retired.solid, start.solid, tolerance * start.solid) << "at t = " << s->time();
     ASSERT_NEAR(now.water + retired.water, start.water, tolerance * start.water);
     ASSERT_NEAR(now.heat + retired.heat, start.heat + now.heat_gained() - start.heat_gained(), tolerance * start.heat);
@@ -230,10 +226,8 @@ motion = [{ time_s = 0 }, { time_s = 0.2, position_m = [0, 0, -0.4] }]
 )";
   const auto s = dough.begin();
   const Sums start(*s);
-  int steps = 0;
-  take_steps(*s, 100, dough.frame_s, [&] {
-    const Sums now(*s);
-    const double scale = ++steps * 1e-12 * start.mass() * 4;
+  take_steps(*s, 100, dough.frame_s, [&](int step, const Sums& now) {
+    const double scale = step * 1e-12 * start.mass() * 4;
     for (std::size_t d = 0; d < 3; ++d) {
       ASSERT_NEAR(now.momentum[d], start.momentum[d] + now.impulse[d] - start.impulse[d], scale);
       ASSERT_NEAR(now.angular[d], start.angular[d] + now.angular_impulse[d] - start.angular_impulse[d], scale);

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string>
+#include <type_traits>
 
 #include "solver/effects/all_effects.h"
 #include "solver/engine/sheets.h"
@@ -66,22 +67,6 @@ production_mol_per_kgs = 0.3
 inline constexpr const char* k_flip = "transfer = \"flip\"";
 inline constexpr const char* k_pic = "transfer = \"pic\"";
 
-/// `count` steps of exactly `dt`, each sampled; calls visit() after each.
-template <class Visit>
-void take_steps(Simulation& s, int count, double dt, Visit visit) {
-  for (int i = 0; i < count; ++i) {
-    const std::int64_t before = s.counters().steps;
-    const double target = s.time() + dt;
-    ASSERT_TRUE(s.advance(target, target + dt));
-    ASSERT_EQ(s.counters().steps, before + 1) << "the step was cut: choose a smaller one";
-    visit();
-    if (testing::Test::HasFatalFailure()) return;
-  }
-}
-inline void take_steps(Simulation& s, int count, double dt) {
-  take_steps(s, count, dt, [] {});
-}
-
 /// The ledger's sums at the last sample; elastic energy is that of the dough and its skin.
 struct Sums {
   double solid, water, heat, gas, volume, kinetic, elastic;
@@ -122,6 +107,25 @@ struct Sums {
     momentum = vector(total::momentum), angular = vector(total::angular_momentum);
   }
 };
+
+/// `count` steps of exactly `dt`, each sampled; calls visit() after each, or visit(step, sums), the first being step 1.
+template <class Visit>
+void take_steps(Simulation& s, int count, double dt, Visit visit) {
+  for (int step = 1; step <= count; ++step) {
+    const std::int64_t before = s.counters().steps;
+    const double target = s.time() + dt;
+    ASSERT_TRUE(s.advance(target, target + dt));
+    ASSERT_EQ(s.counters().steps, before + 1) << "the step was cut: choose a smaller one";
+    if constexpr (std::is_invocable_v<Visit>)
+      visit();
+    else
+      visit(step, Sums(s));
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+inline void take_steps(Simulation& s, int count, double dt) {
+  take_steps(s, count, dt, [] {});
+}
 
 /// Relative error that one step may add to a sum that is kept to round-off. Double: the project's promise. Single: a sum passes
 /// through about 64 roundings a step (weights, at most 27 terms of a gather, as many of a scatter, the quotient), each of half

@@ -22,10 +22,8 @@ Dough baked(const char* integrator, const char* precision = "double") {
 std::unique_ptr<Simulation> expect_heat_booked(const Dough& dough, int count, double share) {
   auto s = dough.begin();
   const Sums start(*s);
-  int steps = 0;
-  take_steps(*s, count, 1e-3, [&] {
-    const Sums now(*s);
-    ASSERT_NEAR(now.heat, start.heat + now.exchanged - start.exchanged, ++steps * share * now.heat);
+  take_steps(*s, count, 1e-3, [&](int step, const Sums& now) {
+    ASSERT_NEAR(now.heat, start.heat + now.exchanged - start.exchanged, step * share * now.heat);
   });
   EXPECT_GT(Sums(*s).heat, 1.05 * start.heat);
   return s;

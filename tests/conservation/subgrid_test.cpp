@@ -129,10 +129,8 @@ TEST(AWetFilling, WetsItsDryShellWithinRoundOff) {
     dough.body = "temperature_C = 60\nsaturation = 0.3";
     const auto s = dough.begin();
     const Sums start(*s);
-    int steps = 0;
-    take_steps(*s, 100, dough.frame_s, [&] {
-      const Sums now(*s);
-      const double bound = ++steps * round_off(precision);
+    take_steps(*s, 100, dough.frame_s, [&](int step, const Sums& now) {
+      const double bound = step * round_off(precision);
       ASSERT_NEAR(now.water + now.evaporated, start.water, bound * start.water);
       ASSERT_NEAR(now.heat, start.heat + now.heat_gained() - start.heat_gained(), bound * start.heat);
       for (const double m : s->snapshot()["water_mass"]) ASSERT_GE(m, 0);

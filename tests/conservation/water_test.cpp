@@ -23,10 +23,8 @@ TEST_P(WaterThatMoves, IsInTheDoughOrEvaporated) {
   const Dough dough = drying(GetParam().first, GetParam().second);
   const auto s = dough.begin();
   const Sums start(*s);
-  int steps = 0;
-  take_steps(*s, 100, dough.frame_s, [&] {
-    const Sums now(*s);
-    ASSERT_NEAR(now.water + now.evaporated, start.water, ++steps * round_off(dough.precision) * start.water);
+  take_steps(*s, 100, dough.frame_s, [&](int step, const Sums& now) {
+    ASSERT_NEAR(now.water + now.evaporated, start.water, step * round_off(dough.precision) * start.water);
     ASSERT_EQ(now.limited, 0);
   });
   EXPECT_GT(Sums(*s).evaporated, 0.005 * start.water) << "else nothing was tested";
