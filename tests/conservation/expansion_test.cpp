@@ -2,6 +2,8 @@
 // Thermal expansion of elastic and of plastic dough.
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "tests/conservation/dough.h"
 
 namespace bake {
@@ -27,9 +29,7 @@ Dough warm_cube(const char* effects, double yield_stress_Pa, bool walled) {
 }
 
 double mean(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 // At the start it is hot and unexpanded: V K/2 (3 alpha dT)^2. Free, it loses that; the elastic strain alone would have said 0, then 9 K

@@ -2,6 +2,8 @@
 // Moving and evaporating water: what is kept exactly, and how large the one defect is that is not.
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "tests/conservation/dough.h"
 
 namespace bake {
@@ -70,11 +72,7 @@ TEST(Vapour, TakesTheHeatAndTheMomentumThatAreBooked) {
   EXPECT_NEAR(-Sums(*s).impulse[0], lost, 0.05 * lost);
 }
 
-double sum(const std::vector<double>& values) {
-  double all = 0;
-  for (const double value : values) all += value;
-  return all;
-}
+double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
 // The bookings against the particles themselves, one by one: neither the ledger's sums nor another booking are asked.
 TEST(EvaporatedWater, IsWhatTheParticlesHaveLost) {

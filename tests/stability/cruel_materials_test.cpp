@@ -12,8 +12,7 @@ std::string changed(std::initializer_list<std::pair<const char*, const char*>> k
 
 /// Dropped on a floor below in a hot oven, for 0.3 s: it falls for 0.2 s, lands and is baked.
 Dough dropped(const std::string& material, const std::string& precision = "double") {
-  Dough dough = small();
-  dough.effects = k_everything;
+  Dough dough = small(k_everything);
   dough.precision = precision;
   dough.material = material;
   dough.shape = "sphere = { centre_m = [0.01, 0.02, -0.5], radius_m = 0.3 }";

@@ -17,8 +17,7 @@ namespace bake {
 namespace {
 
 TEST(AStepAskedForFarTooLarge, IsCutToWhatIsStable) {
-  Dough dough = small();
-  dough.effects = k_everything;
+  Dough dough = small(k_everything);
   dough.frame_s = 10;
   dough.tables = "[time]\nlargest_step_s = 1e3\n[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 100\n";
   Watched ball(dough);
@@ -108,8 +107,7 @@ constexpr std::array k_no_numbers{std::numeric_limits<Real>::quiet_NaN(), std::n
 
 /// With FLIP particles keep their velocity as well.
 Dough of_everything(const char* precision) {
-  Dough dough = small();
-  dough.effects = k_everything;
+  Dough dough = small(k_everything);
   dough.precision = precision;
   dough.motion = k_flip;
   return dough;
@@ -268,8 +266,7 @@ TEST(ACheckpoint, ThatIsWrongInAnyWayIsRefusedOrAtLeastDoesNoHarm) {
 }
 
 TEST(StiffPores, AreStableAndFreeOfStressAtTheStart) {
-  Dough dough = small();
-  dough.effects = k_everything;
+  Dough dough = small(k_everything);
   dough.gravity = "[0, 0, 0]";
   dough.material = Dough::changed({{"initial_porosity", "0.01"}, {"production_mol_per_kgs", "0"}});
   dough.leavening = "reference_pressure_Pa = 101325";
@@ -331,16 +328,14 @@ shape = { half_space = { point_m = [0, 0, -0.35], normal = [0, 0, 1] } }
 }
 
 TEST(BodiesThatOverlap, PushEachOtherApartAndKeepTheirBooks) {
-  Dough dough = small();
-  dough.effects = k_everything;
+  Dough dough = small(k_everything);
   dough.tables =
       "[[body]]\nmaterial = \"dough\"\nparticles_per_cell = 8\nshape = { sphere = { centre_m = [0.2, 0, 0], radius_m = 0.3 } }\n";
   ASSERT_NO_FATAL_FAILURE(Watched(dough).run(0.2));
 }
 
 Dough lonely(const std::string& effects) {
-  Dough dough = small();
-  dough.effects = effects;
+  Dough dough = small(effects);
   dough.material = Dough::properties(Dough::moving_water());
   dough.tables = "[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 100\n";
   // one point of the lattice, spacing dx / 2, lies in the middle of a box no larger than a spacing
@@ -414,8 +409,7 @@ TEST(ABodyOutsideTheDomain, IsRefusedBeforeTheRun) {
 }
 
 TEST(ADoughHeatedFromTheFreezerTo400DegreesInOneFrame, StaysFinite) {
-  Dough dough = small();
-  dough.effects = k_everything;
+  Dough dough = small(k_everything);
   dough.body = "temperature_C = -20";
   dough.material = Dough::changed({{"conductivity_W_per_mK", "1e5"}});
   dough.tables = "[oven]\ntemperature_C = 400\nheat_transfer_coefficient_W_per_m2K = 1e5\n";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What holds for every set of broken edges of every mesh.
 #include <algorithm>
+#include <numeric>
 #include <queue>
 #include <set>
 
@@ -63,9 +64,7 @@ std::size_t count_pieces(const Topology& topology, const Broken& broken) {
 }
 
 double total_volume(const std::vector<Piece>& pieces) {
-  double sum = 0;
-  for (const Piece& piece : pieces) sum += piece.volume_m3;
-  return sum;
+  return std::accumulate(pieces.begin(), pieces.end(), 0.0, [](double sum, const Piece& piece) { return sum + piece.volume_m3; });
 }
 
 TEST(FractureLaw, EveryPieceIsClosedAndTheVolumeIsKept) {
