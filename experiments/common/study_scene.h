@@ -12,7 +12,8 @@ namespace bake::studies {
 
 struct StudyScene : SceneBuilder {
   int threads = 1;  ///< most are too small to share
-  StudyScene() {
+  explicit StudyScene(const std::string& listed = "heat") {
+    effects = listed;
     time = "safety = 1";
     material = "density_kg_per_m3 = 1\n";
   }

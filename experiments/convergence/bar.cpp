@@ -38,8 +38,7 @@ std::string bodies(const Bar& bar) {
 
 StudyScene Bar::setting() const {
   const double width = across * dx();
-  StudyScene setting;
-  setting.effects = effects;
+  StudyScene setting(effects);
   setting.frame_s = end_s;
   setting.dx = dx();
   setting.low = {-(before + air + shift) * dx(), 0, 0};

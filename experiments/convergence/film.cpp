@@ -67,8 +67,7 @@ shape = {{ box = {{ centre_m = [{:.17g}, {:.17g}, {:.17g}], half_extents_m = [{:
 /// evenly, and free of stress along z: nu is that of both. Then walls hold it where it is; at the sides it slips.
 Waves yielding(int cells, double e, double sign) {
   const double dx = 1. / cells, length = k_length * std::exp(e);
-  StudyScene setting;
-  setting.effects = "motion, elasticity";
+  StudyScene setting("motion, elasticity");
   setting.frame_s = k_pressed;
   setting.dx = dx;
   setting.low = {-3 * dx, 0, -k_depth - 3 * dx};

@@ -18,8 +18,7 @@ constexpr double k_gas_constant = 8.314, k_atmosphere = 101325;  // moles are gi
 
 /// A cube that starts at k_hot and swings until PIC has damped it.
 Snapshot settled_cube(double cells, const char* effects, const std::string& material, const std::string& tables, double end_s) {
-  StudyScene setting;
-  setting.effects = effects;
+  StudyScene setting(effects);
   setting.dx = 1 / cells;
   setting.frame_s = end_s;
   setting.time = "safety = 0.5";

@@ -64,8 +64,7 @@ Waves yields(double cells, double e, double sign) {
   const double h = std::sqrt(12 * B / N), E_f = N * (1 - k_skin_nu * k_skin_nu) / h;
   const ScratchFolder folder;
   write_strip(folder / "strip.hdf", length, dx, dx);
-  StudyScene setting;
-  setting.effects = "motion, elasticity";
+  StudyScene setting("motion, elasticity");
   setting.frame_s = k_pressed;
   setting.dx = dx;
   setting.low = {-3 * dx, 0, -depth - 3 * dx};

@@ -27,8 +27,7 @@ yield_stress_Pa = 1e-2
 
 /// A ball of one metre in air without exchange, nothing flowing.
 StudyScene ball(const char* effects, bool quick) {
-  StudyScene setting;
-  setting.effects = effects;
+  StudyScene setting(effects);
   setting.dx = quick ? 0.25 : 0.125;
   setting.low = {-2.5, -2.5, -2.5};
   setting.high = {2.5, 2.5, 2.5};
@@ -116,8 +115,7 @@ double strain_of_rest(const char* form, bool quick) {
 
 /// A bar of one metre at rest whose halves start otherwise than each other, without exchange: what they become is the medium's own doing.
 StudyScene halves(const char* effects, const std::string& here, const std::string& there, bool quick) {
-  StudyScene setting;
-  setting.effects = effects;
+  StudyScene setting(effects);
   setting.dx = quick ? 0.1 : 0.05;
   const auto half = [](double x) { return fmt::format("box = {{ centre_m = [{}, 0, 0], half_extents_m = [0.25, 0.1, 0.1] }}", x); };
   setting.tables = fmt::format("[[body]]\nmaterial = \"dough\"\nparticles_per_cell = {}\nshape = {{ {} }}\n{}\n",

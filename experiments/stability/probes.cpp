@@ -21,8 +21,7 @@ struct Cube {
   int particles_per_cell = 8;
 
   std::unique_ptr<Simulation> begin(double safety) const {
-    StudyScene setting;
-    setting.effects = effects;
+    StudyScene setting(effects);
     setting.frame_s = 1e6;
     setting.dx = dx;
     setting.low = {-10 * dx, -10 * dx, -10 * dx};

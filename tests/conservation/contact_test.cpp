@@ -26,8 +26,7 @@ class EveryPush : public testing::TestWithParam<std::tuple<Push, const char*, co
 TEST_P(EveryPush, IsBooked) {
   const auto& push = std::get<0>(GetParam());
   const std::string effects = std::get<1>(GetParam()), precision = std::get<2>(GetParam());
-  Dough dough;
-  dough.effects = effects;
+  Dough dough(effects);
   dough.precision = precision;
   dough.gravity = push.gravity;
   dough.body = push.body;
@@ -96,8 +95,7 @@ TEST(DoughOfScaledInertia, FallsSlowerAndKeepsItsBooks) {
 
 /// A ball thrown at the far face.
 Dough thrown(const char* face, const std::string& effects = "motion, elasticity") {
-  Dough dough;
-  dough.effects = effects;
+  Dough dough(effects);
   dough.body = "velocity_m_per_s = [5, 0, 0]";
   dough.faces = std::string("x_max = \"") + face + "\"";
   return dough;
@@ -185,8 +183,7 @@ until_s = 0.3
 }
 
 TEST(AnEmitter, OverAnOpenFaceBooksWhatComesAndWhatGoes) {
-  Dough dough;
-  dough.effects = k_everything;
+  Dough dough(k_everything);
   dough.material = Dough::properties(Dough::moving_water());
   dough.gravity = "[0, 0, -9.81]";
   dough.faces = "z_min = \"open\"";

@@ -18,8 +18,8 @@ namespace bake {
 
 /// The default is an elastic ball at rest in the middle of a box, four cells in radius, without gravity.
 struct Dough : SceneBuilder {
-  Dough() {
-    effects = "motion, elasticity";
+  explicit Dough(const std::string& listed = "motion, elasticity") {
+    effects = listed;
     dx = 0.0625;  // a power of two: node positions are exact
     frame_s = 1e-3;
     shape = "sphere = { radius_m = 0.25 }";

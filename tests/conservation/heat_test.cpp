@@ -9,8 +9,7 @@ namespace bake {
 namespace {
 
 Dough baked(const char* integrator, const char* precision = "double") {
-  Dough dough;
-  dough.effects = "heat";
+  Dough dough("heat");
   dough.precision = precision;
   dough.body = "temperature_C = 20";
   dough.heat = fmt::format("integrator = \"{}\"", integrator);
@@ -151,8 +150,7 @@ heat_transfer_coefficient_W_per_m2K = 500
 }
 
 TEST(HeatAtUniformTemperature, StaysUniformInUniformMotion) {
-  Dough dough;
-  dough.effects = "motion, heat, water, elasticity";
+  Dough dough("motion, heat, water, elasticity");
   dough.body = "velocity_m_per_s = [1, 2, -1.5]";
   const auto s = dough.begin();
   take_steps(*s, 100, dough.frame_s);

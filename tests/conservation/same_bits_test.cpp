@@ -51,8 +51,7 @@ from_s = 0.013
 
 /// A ball in a skin dries, turns and falls.
 Scene drying_fruit(const std::string& precision) {
-  Dough dough;
-  dough.effects = "motion, water, elasticity";
+  Dough dough("motion, water, elasticity");
   dough.precision = precision;
   dough.frame_s = 0.01;
   dough.gravity = "[0, 0, -9.81]";

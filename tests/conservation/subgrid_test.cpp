@@ -10,8 +10,7 @@ namespace {
 
 /// A sealed bar along x of two bodies, `left` below x = 0 and `right` above.
 Dough halves(const char* effects, const char* left, const char* right) {
-  Dough dough;
-  dough.effects = effects;
+  Dough dough(effects);
   dough.low = {-0.5, 0, 0}, dough.high = {0.5, 0.125, 0.125};
   dough.material =
       "density_kg_per_m3 = 1000\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 10\n"
@@ -117,8 +116,7 @@ TEST(DryDough, StaysDryAsPublished) {
 // A wet ball in a dry shell, all moving, hot and wet: the books close, and nothing falls below zero.
 TEST(AWetFilling, WetsItsDryShellWithinRoundOff) {
   for (const char* precision : {"double", "single"}) {
-    Dough dough;
-    dough.effects = "motion, heat, water, elasticity, plasticity, leavening";
+    Dough dough(k_everything);
     dough.precision = precision;
     dough.frame_s = 2e-4;
     dough.material = Dough::properties(Dough::moving_water());

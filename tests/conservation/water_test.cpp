@@ -11,8 +11,7 @@ namespace {
 
 /// A ball that dries and in which water moves.
 Dough drying(const std::string& effects, const std::string& precision = "double") {
-  Dough dough;
-  dough.effects = effects;
+  Dough dough(effects);
   dough.precision = precision;
   dough.material = Dough::properties(Dough::moving_water());
   dough.body = "temperature_C = 60\nvelocity_m_per_s = [1, 0, 0]\nangular_velocity_rad_per_s = [0, 0, 4]";
@@ -43,8 +42,7 @@ INSTANTIATE_TEST_SUITE_P(With, WaterThatMoves,
 
 // Vapour leaves with the velocity of the dough: a drying body in uniform motion is not pushed.
 TEST(Vapour, TakesItsMomentumWithIt) {
-  Dough dough;
-  dough.effects = "motion, water, elasticity";
+  Dough dough("motion, water, elasticity");
   dough.material = Dough::changed({{"pressure_Pa", "0"}}, "evaporation_kg_per_m2sK = 1");
   dough.surface = "form = \"published\"";  // takes water that does not diffuse: what diffuses pushes its solid
   dough.body = "velocity_m_per_s = [1, -0.5, 0.25]";
@@ -113,8 +111,7 @@ TEST(LatentHeat, IsWhatTheParticlesHaveCooledBy) {
 
 /// A ball in which water moves and nothing evaporates, hit by a drier one. Checks the books; returns the remapped heat over the heat.
 double hit_by_a_drier_ball(bool uniform) {
-  Dough dough;
-  dough.effects = k_everything;
+  Dough dough(k_everything);
   dough.frame_s = 2e-4;
   // uniform: nothing that would change a temperature
   dough.material = Dough::changed({{"expansion_per_K", uniform ? "0" : "1e-4"}}, "diffusivity_m2_per_sK = 2e-4");
@@ -149,8 +146,7 @@ TEST(WaterThatMoves, CarriesItsHeatExactlyAtUniformTemperature) { EXPECT_LE(hit_
 /// Remapped momentum and heat (over those of the body) where all fields are smooth: a wet warm half and a dry cool one that slide
 /// past each other, from when diffusion and waves have smoothed the jump.
 std::pair<double, double> remap_of_smooth_fields(double dx) {
-  Dough dough;
-  dough.effects = "motion, heat, water, elasticity";
+  Dough dough("motion, heat, water, elasticity");
   dough.dx = dx;
   dough.frame_s = 5e-4;
   dough.material = Dough::properties("diffusivity_m2_per_sK = 2e-3");
@@ -183,8 +179,7 @@ TEST(WaterThatMoves, RemapsMomentumAndHeatLessOnAFinerGrid) {
 
 // Pure expansion, no flux: standard form to round-off, the printed one loses water at the rate of div v.
 double water_left_at(double& volume_ratio, const char* form) {
-  Dough dough;
-  dough.effects = "motion, heat, water, elasticity, plasticity, leavening";
+  Dough dough(k_everything);
   dough.tables = fmt::format("[water]\nform = \"{}\"\n", form);
   dough.body = "temperature_C = 40";
   dough.frame_s = 2e-3;

@@ -72,8 +72,7 @@ class Watched {
 };
 
 inline Dough small(const std::string& effects = Dough().effects) {
-  Dough dough;
-  dough.effects = effects;
+  Dough dough(effects);
   dough.dx = 0.125;
   dough.frame_s = 0.02;
   dough.shape = "sphere = { centre_m = [0.01, 0.02, 0.03], radius_m = 0.3 }";

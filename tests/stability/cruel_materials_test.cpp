@@ -80,8 +80,7 @@ TEST_P(Conduction, AThousandTimesFaster) {
 
 /// Pulled or pressed between two grips to `ratio` of its length, each at 1 m/s.
 void expect_deformed(double ratio, const char* precision) {
-  Dough dough;
-  dough.effects = "motion, elasticity, plasticity";
+  Dough dough("motion, elasticity, plasticity");
   dough.precision = precision;
   dough.dx = 0.03125;
   dough.frame_s = 0.02;
@@ -105,8 +104,7 @@ TEST_P(CruelDough, PressedToATenthOfItsLength) { expect_deformed(0.1, GetParam()
 
 /// The ball flows as v = rate r until its J is `ratio`; then it is left to itself.
 void expect_let_go(double ratio, const char* precision) {
-  Dough dough;
-  dough.effects = k_everything;
+  Dough dough(k_everything);
   dough.precision = precision;
   dough.dx = 0.125;
   dough.frame_s = 0.02;
@@ -128,8 +126,7 @@ TEST_P(CruelDough, SqueezedToATenthOfItsVolume) { expect_let_go(0.1, GetParam())
 
 /// Walls close from six sides upon what is nearly all pore.
 TEST_P(CruelDough, BetweenClosingWalls) {
-  Dough dough;
-  dough.effects = "motion, elasticity, plasticity";
+  Dough dough("motion, elasticity, plasticity");
   dough.precision = GetParam();
   dough.material = changed({{"initial_porosity", "0.92"}});
   dough.frame_s = 0.02;
@@ -155,8 +152,7 @@ TEST_P(CruelDough, BetweenClosingWalls) {
 // A particle whose stencil just touches a node gives it next to no mass; what it takes back must not be noise.
 TEST(ANodeOfAlmostNoMass, GivesNobodyASpeed) {
   for (const double at : {0.5, 0.5 + 1e-9, 0.5 - 1e-9, 0.5 + 1e-15}) {  // in cells: where a node joins the stencil
-    Dough dough;
-    dough.effects = k_everything;
+    Dough dough(k_everything);
     dough.dx = 0.125;
     dough.frame_s = 1e-3;
     dough.material = Dough::properties(Dough::moving_water());

@@ -296,8 +296,7 @@ TEST(DoughThrownAtAClosedFaceAtAThousandMetresPerSecond, StaysInsideAndItsBooksA
 }
 
 TEST(AnEmptyScene, GoesOnDoingNothing) {
-  Dough dough;
-  dough.effects = k_everything;
+  Dough dough(k_everything);
   dough.shape = "";
   const auto s = dough.begin();
   EXPECT_TRUE(s->advance(0.5, 1));
