@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "solver/run/simulation.h"
+#include "solver/scene/settings.h"
 
 namespace bake::bench {
 
