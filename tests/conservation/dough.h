@@ -2,8 +2,11 @@
 // A lump of dough for tests: steps of one length, and the ledger's sums by name.
 #pragma once
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <omp.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <type_traits>
