@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "experiments/common/study.h"
 #include "solver/scene/settings.h"
