@@ -107,5 +107,41 @@ TEST_F(BentDrying, IsLessStraight) {
   EXPECT_LT(measure("drying_straightness", {}), 0.9);
 }
 
+/// A ball of 30 cm that became an egg, with waves cos(10 phi) sin^10(theta): a spherical harmonic of degree 10, of wave number sqrt(110) /
+/// R.
+TEST_F(SkinMetrics, CountTheWavelengthOfFoldsAtRest) {
+  constexpr int k_rings = 60, k_spokes = 120;
+  constexpr double k_radius = 0.3;
+  const auto ball = [&](int number, auto along_normal) {
+    Mesh mesh;
+    const auto add = [&](double theta, double phi) {
+      const double r = k_radius + along_normal(theta, phi);
+      mesh.points.insert(mesh.points.end(),
+                         {r * std::sin(theta) * std::cos(phi), r * std::sin(theta) * std::sin(phi), r * std::cos(theta)});
+    };
+    const double pi = std::acos(-1);
+    add(0, 0);
+    for (int i = 1; i < k_rings; ++i)
+      for (int j = 0; j < k_spokes; ++j) add(pi * i / k_rings, 2 * pi * j / k_spokes);
+    add(pi, 0);
+    const auto vertex = [&](int i, int j) -> std::int64_t {
+      return i == 0 ? 0 : i == k_rings ? 1 + (k_rings - 1) * k_spokes : 1 + (i - 1) * k_spokes + j % k_spokes;
+    };
+    for (int i = 0; i < k_rings; ++i)
+      for (int j = 0; j < k_spokes; ++j) {
+        if (i > 0) mesh.cells.insert(mesh.cells.end(), {vertex(i, j), vertex(i + 1, j), vertex(i, j + 1)});
+        if (i + 1 < k_rings) mesh.cells.insert(mesh.cells.end(), {vertex(i, j + 1), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      }
+    mesh.time_s = number;
+    write_mesh(folder_ / "skins" / frame_name(number), mesh);
+  };
+  ball(0, [](double, double) { return 0; });
+  ball(4, [](double theta, double phi) {
+    const double z = std::cos(theta);
+    return -0.05 + 0.03 * z * z * z + 0.002 * std::pow(std::sin(theta), 10) * std::cos(10 * phi);
+  });
+  EXPECT_NEAR(measure("fold_wavelength", {}), 2 * std::acos(-1) * k_radius / std::sqrt(110), 0.002);
+}
+
 }  // namespace
 }  // namespace bake
