@@ -101,7 +101,7 @@ void add_scene_commands(CLI::App& app, Action& action) {
     command.add_option("scene", arguments->scene, "name or path of a .toml file")->required();
     add_quality_option(command, arguments->options.quality);
     add_set_option(command, arguments->options.overrides);
-    command.callback([arguments, act, &action] { action = [arguments, act] { return act(*arguments); }; });
+    on_request(command, action, [arguments, act] { return act(*arguments); });
     return command;
   };
   add_threads_option(add_command("info", "Say what a run of a scene would be: size, steps, memory", info), arguments->threads);

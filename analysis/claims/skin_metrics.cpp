@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <unordered_map>
@@ -226,62 +225,30 @@ double water_left(const Results& run, const MetricPlace& at) { return gain_at(ru
 
 std::vector<Metric> skin_metrics() {
   return {
-      {"skin_area_gain", "1", non_negative, "area of the skin over that at the start", skin_area_gain, nullptr, {}, {"time_s"}},
-      {"skin_slack",
-       "1",
-       non_negative,
+      {"skin_area_gain", "1", non_negative, "area of the skin over that at the start", skin_area_gain, needs(), knows("time_s")},
+      {"skin_slack", "1", non_negative,
        "the same over (volume over that at the start)^(2/3): 1 for a skin that shrinks along with its flesh, more for one that must fold",
-       skin_slack,
-       nullptr,
-       {},
-       {"time_s"}},
-      {"skin_curvature",
-       "1/m",
-       non_negative,
+       skin_slack, needs(), knows("time_s")},
+      {"skin_curvature", "1/m", non_negative,
        "root mean square over the area of the skin's curvature, taken from its bending: what was curved at the start counts as flat",
-       skin_curvature,
-       nullptr,
-       {},
-       {"time_s"}},
+       skin_curvature, needs(), knows("time_s")},
       {"fold_onset", "1", fraction, "share of the water that is gone when the skin's curvature reaches 15 % of that at the end",
        fold_onset},
-      {"fold_wavelength",
-       "m",
-       non_negative,
+      {"fold_wavelength", "m", non_negative,
        "wavelength of the folds of one closed skin, as lengths were before it shrank: of what it has moved along its normals, less the "
-       "best fit "
-       "by polynomials of degree 4",
-       fold_wavelength,
-       nullptr,
-       {},
-       {"time_s"}},
-      {"skin_off_flesh",
-       "1",
-       fraction,
-       "share of the skin's vertices that are more than dx from the next particle of flesh",
-       skin_off_flesh,
-       nullptr,
-       {},
-       {"time_s"}},
-      {"skin_dryness",
-       "1",
-       non_negative,
+       "best fit by polynomials of degree 4",
+       fold_wavelength, needs(), knows("time_s")},
+      {"skin_off_flesh", "1", fraction, "share of the skin's vertices that are more than dx from the next particle of flesh",
+       skin_off_flesh, needs(), knows("time_s")},
+      {"skin_dryness", "1", non_negative,
        "mean saturation at the skin over that of the flesh that started in the box from low_m to high_m: below 1 if it dries from outside",
-       skin_dryness,
-       nullptr,
-       {"low_m", "high_m"},
-       {"time_s"}},
-      {"height_over_thickness",
-       "1",
-       non_negative,
-       "height over that of a body that has shrunk to the same volume evenly: 1 for a slice that stays flat",
-       height_over_thickness,
-       nullptr,
-       {},
-       {"time_s"}},
+       skin_dryness, needs("low_m", "high_m"), knows("time_s")},
+      {"height_over_thickness", "1", non_negative,
+       "height over that of a body that has shrunk to the same volume evenly: 1 for a slice that stays flat", height_over_thickness,
+       needs(), knows("time_s")},
       {"drying_straightness", "1", fraction, "R^2 of a straight line through ln(water left) over time, while a twentieth or more is left",
        drying_straightness},
-      {"water_left", "1", non_negative, "water over the water at the start", water_left, nullptr, {}, {"time_s"}},
+      {"water_left", "1", non_negative, "water over the water at the start", water_left, needs(), knows("time_s")},
   };
 }
 

@@ -92,7 +92,7 @@ nlohmann::json stops_of(const std::vector<BrowningStop>& ramp) {
   return stops;
 }
 
-int make_model(const ModelOptions& options) {
+void make_model(const ModelOptions& options) {
   const View view = read_view(options.view);
   const int threads = thread_count(options.threads);
   fs::create_directories(options.out);
@@ -116,7 +116,6 @@ int make_model(const ModelOptions& options) {
     meter(static_cast<double>(++done) / static_cast<double>(options.frames.size()));
   }
   meter.clear();
-  return k_success;
 }
 
 }  // namespace
@@ -131,7 +130,7 @@ void add_model_command(CLI::App& app, Action& action) {
   command->add_option("--triangles", options->triangles, "most triangles of a surface [18000]")->transform(whole_number(100, 1000000));
   command->add_option("--particles", options->particles, "most particles of a frame [8000]")->transform(whole_number(1, 100000000));
   add_threads_option(*command, options->threads);
-  command->callback([&action, options] { action = [options] { return make_model(*options); }; });
+  on_request(*command, action, [options] { make_model(*options); });
 }
 
 void add_jpeg_command(CLI::App& app, Action& action) {
@@ -145,15 +144,12 @@ void add_jpeg_command(CLI::App& app, Action& action) {
   command->add_option("--out", options->out, "the picture, a .jpg file")->required();
   command->add_option("--width", options->width, "most pixels across [1600]")->transform(whole_number(16, 16384));
   command->add_option("--quality", options->quality, "1 to 100 [82]")->transform(whole_number(1, 100));
-  command->callback([&action, options] {
-    action = [options] {
-      check_ending(options->out, ".jpg");
-      const Image image = read_png(options->picture);
-      const int width = std::min(image.width, options->width);
-      const int height = std::max(1, static_cast<int>(std::lround(static_cast<double>(image.height) * width / image.width)));
-      write_jpeg(options->out, width == image.width ? image : scaled(image, width, height), options->quality);
-      return k_success;
-    };
+  on_request(*command, action, [options] {
+    check_ending(options->out, ".jpg");
+    const Image image = read_png(options->picture);
+    const int width = std::min(image.width, options->width);
+    const int height = std::max(1, static_cast<int>(std::lround(static_cast<double>(image.height) * width / image.width)));
+    write_jpeg(options->out, width == image.width ? image : scaled(image, width, height), options->quality);
   });
 }
 

@@ -27,15 +27,12 @@ void add_picture_command(CLI::App& app, Action& action) {
   options->add_to(*command);
   command->add_option("files", options->files, "frames or meshes, one for each [[object]] of the view")->required();
   command->add_option("--out", options->out, "the picture, a PNG file")->required();
-  command->callback([&action, options] {
-    action = [options] {
-      check_ending(options->out, ".png");
-      Histories histories;
-      Meter meter(options->out.filename().string());
-      write_png(options->out, take_picture(options->read(), options->files, options->results_of(options->files.size()), histories,
-                                           thread_count(options->threads), [&](double share) { meter(share); }));
-      return k_success;
-    };
+  on_request(*command, action, [options] {
+    check_ending(options->out, ".png");
+    Histories histories;
+    Meter meter(options->out.filename().string());
+    write_png(options->out, take_picture(options->read(), options->files, options->results_of(options->files.size()), histories,
+                                         thread_count(options->threads), [&](double share) { meter(share); }));
   });
 }
 
@@ -79,14 +76,11 @@ void add_slice_command(CLI::App& app, Action& action) {
   command->add_option("--by", options->by, "the field that is shown, instead of the view's [[panel]]s");
   command->add_option("--cut", options->cut, "y=0: what lies below on that axis is taken away; without a view or this nothing is");
   command->add_option("--out", options->out, "the picture, a PNG file")->required();
-  command->callback([&action, options] {
-    action = [options] {
-      check_ending(options->out, ".png");
-      options->put_in();
-      write_png(options->out,
-                take_slices(options->read(), options->files, options->results_of(options->files.size()), thread_count(options->threads)));
-      return k_success;
-    };
+  on_request(*command, action, [options] {
+    check_ending(options->out, ".png");
+    options->put_in();
+    write_png(options->out,
+              take_slices(options->read(), options->files, options->results_of(options->files.size()), thread_count(options->threads)));
   });
 }
 
@@ -103,17 +97,14 @@ void add_montage_command(CLI::App& app, Action& action) {
   command->add_option("--out", options->out, "the montage, a PNG file")->required();
   command->add_option("--label", options->labels, "text below a picture; one for each, in order")->allow_extra_args(false);
   command->add_option("--columns", options->columns, "pictures in a row [all]")->transform(whole_number(1, 1000));
-  command->callback([&action, options] {
-    action = [options] {
-      check_ending(options->out, ".png");
-      if (!options->labels.empty() && options->labels.size() != options->pictures.size())
-        throw InputError(fmt::format("--label: found {} labels for {} pictures, allowed: one for each or none", options->labels.size(),
-                                     options->pictures.size()));
-      std::vector<Image> images;
-      for (const auto& picture : options->pictures) images.push_back(read_png(picture));
-      write_png(options->out, montage(images, options->labels, options->columns > 0 ? options->columns : static_cast<int>(images.size())));
-      return k_success;
-    };
+  on_request(*command, action, [options] {
+    check_ending(options->out, ".png");
+    if (!options->labels.empty() && options->labels.size() != options->pictures.size())
+      throw InputError(fmt::format("--label: found {} labels for {} pictures, allowed: one for each or none", options->labels.size(),
+                                   options->pictures.size()));
+    std::vector<Image> images;
+    for (const auto& picture : options->pictures) images.push_back(read_png(picture));
+    write_png(options->out, montage(images, options->labels, options->columns > 0 ? options->columns : static_cast<int>(images.size())));
   });
 }
 
@@ -129,24 +120,15 @@ void add_surface_command(CLI::App& app, Action& action) {
   command->add_option("--out", options->out, "the surface, an .hdf file")->required();
   command->add_option("--spacing", options->spacing_m, "typical distance of particles in m [measured]")->check(CLI::PositiveNumber);
   add_threads_option(*command, options->threads);
-  command->callback([&action, options] {
-    action = [options] {
-      check_ending(options->out, ".hdf");
-      write_mesh(options->out,
-                 splat_surface(read_particles_of_frame(options->frame), {options->spacing_m, thread_count(options->threads)}));
-      return k_success;
-    };
+  on_request(*command, action, [options] {
+    check_ending(options->out, ".hdf");
+    write_mesh(options->out, splat_surface(read_particles_of_frame(options->frame), {options->spacing_m, thread_count(options->threads)}));
   });
 }
 
 void add_explain_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("explain", "All keys of a view file");
-  command->callback([&action] {
-    action = [] {
-      fmt::print("{}", explain_view());
-      return k_success;
-    };
-  });
+  on_request(*command, action, [] { fmt::print("{}", explain_view()); });
 }
 
 }  // namespace bake::render

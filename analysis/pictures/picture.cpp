@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "solver/core/errors.h"
@@ -191,12 +190,9 @@ std::vector<Vec3f> points_of(const Composition& composition) {
 }
 
 Stage set_stage(const View& view, const std::vector<Vec3f>& points) {
-  Eigen::Array3f low = Eigen::Array3f::Constant(std::numeric_limits<float>::max()), high = -low;
-  for (const Vec3f& p : points) {
-    low = low.min(p.array());
-    high = high.max(p.array());
-  }
-  Stage stage{{}, (low + high) / 2, 0, view.ground.height_m ? static_cast<float>(*view.ground.height_m) : low.z()};
+  Eigen::AlignedBox3f box;
+  for (const Vec3f& p : points) box.extend(p);
+  Stage stage{{}, box.center(), 0, view.ground.height_m ? static_cast<float>(*view.ground.height_m) : box.min().z()};
   for (const Vec3f& p : points) stage.radius = std::max(stage.radius, (p - stage.centre).norm());
   const double aspect = static_cast<double>(view.picture.width_px) / view.picture.height_px;
   const bool titled = std::any_of(view.objects.begin(), view.objects.end(), [](const ObjectSettings& o) { return !o.title.empty(); });

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
 
 #include <map>
 
@@ -18,7 +17,7 @@ class Measured {
   Measurement operator()(const Claim& claim, const std::string& of) {
     if (of.empty()) return find_named(computed_.numbers, claim.metric)->value;
     const Metric& metric = find_metric(claim.metric);
-    return metric.of_run ? measure(metric, run(of), claim.place) : measure(metric, surface(of), claim.place);
+    return metric.is_of_run() ? measure(metric, run(of), claim.place) : measure(metric, surface(of), claim.place);
   }
 
  private:

@@ -83,7 +83,7 @@ void check_metrics(const SceneEntry& entry, const FigureChart& chart) {
   std::vector<std::string> known;
   const bool over_time = chart.against.empty();
   for (const Metric& metric : all_metrics())
-    if (metric.of_run && (!over_time || std::find(metric.knows.begin(), metric.knows.end(), "time_s") != metric.knows.end()))
+    if (metric.is_of_run() && (!over_time || std::find(metric.knows.begin(), metric.knows.end(), "time_s") != metric.knows.end()))
       known.emplace_back(metric.name);
   check_known(entry, "metric", chart.metric, over_time ? "metric of a run that has a time" : "metric of a run", known);
   if (chart.place.time_s) entry.complain_at("time_s", over_time ? "the chart is drawn over all times" : "the chart shows the end");
@@ -126,7 +126,7 @@ void check(const SceneEntry& entry, const Claim& claim, const Figure& figure) {
     const char* key = name == claim.greater_than ? "greater_than" : "of";
     check_known(entry, key, name, "run or surface", runs_and_surfaces(figure));
     const bool is_run = find_named(figure.runs, name);
-    if (is_run == (find_metric(claim.metric).of_run != nullptr)) {
+    if (is_run == find_metric(claim.metric).is_of_run()) {
       if (!is_run) check_time(entry, claim, *find_named(figure.surfaces, name));
       continue;
     }

@@ -4,7 +4,6 @@
 #include "experiments/make/pipeline.h"
 #include "experiments/make/programs.h"
 #include "experiments/make/up_to_date.h"
-#include "solver/io/atomic_file.h"
 #include "solver/run/kept_run.h"
 #include "solver/scene/entry.h"
 #include "solver/scene/nearest.h"

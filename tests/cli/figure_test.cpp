@@ -77,10 +77,7 @@ class AFigure : public testing::Test {
 };
 
 TEST_F(AFigure, ThatHoldsSucceedsAndWritesItsClaims) {
-  const Outcome outcome = place.bake("figure 1 --quiet");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  EXPECT_EQ(outcome.err, "");
-  EXPECT_NE(outcome.out.find("3 of 3 claims hold"), std::string::npos) << outcome.out;
+  expect_success(place, "figure 1 --quiet", "3 of 3 claims hold");
   EXPECT_EQ(claims()["claims"].size(), 3u);
   EXPECT_TRUE(claims()["claims"][2]["holds"]);
   EXPECT_GT(claims()["runs"][1]["particles"], 0);

@@ -2,11 +2,9 @@
 // Views, and pictures taken by them.
 #include "analysis/pictures/picture.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <cmath>
 
 #include "analysis/surface/splat.h"
 #include "solver/core/errors.h"

@@ -3,9 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <cmath>
 #include <map>
-#include <numbers>
 
 #include "analysis/surface/mesh_tools.h"
 #include "analysis/surface/splat.h"

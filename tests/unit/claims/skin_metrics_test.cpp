@@ -36,11 +36,7 @@ class SkinMetrics : public WrittenRun {
   }
 };
 
-MetricPlace at(double time_s) {
-  MetricPlace place;
-  place.time_s = time_s;
-  return place;
-}
+MetricPlace at(double time_s) { return {.time_s = time_s}; }
 
 TEST_F(SkinMetrics, CompareTheSkinWithTheVolumeInIt) {
   EXPECT_DOUBLE_EQ(measure("skin_area_gain", {}), 0.75);
@@ -80,9 +76,7 @@ TEST_F(SkinMetrics, CompareTheSkinsWaterWithThatOfWhatStartedInside) {
   skin(4, "saturation", 0.2, 0.5);
   flesh(0, {0, 0, 0, 5, 0, 0, 6, 0, 0}, {1, 1, 1}, {7, 8, 9});
   flesh(4, {0, 0, 0, 0, 0, 0, 5, 0, 0}, {0.6f, 0.8f, 0.1f}, {9, 8, 7});  // those that are inside now started elsewhere
-  MetricPlace core;
-  core.low_m = Vector3{4, -1, -1};
-  core.high_m = Vector3{7, 1, 1};
+  MetricPlace core{.low_m = Vector3{4, -1, -1}, .high_m = Vector3{7, 1, 1}};
   EXPECT_NEAR(measure("skin_dryness", core), (0.2 * 8 + 0.5) / 9 / 0.7, 1e-6);
   core.low_m = Vector3{10, 10, 10};
   core.high_m = Vector3{11, 11, 11};

@@ -6,7 +6,6 @@
 #include <libdeflate.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "experiments/report/body.h"
@@ -91,12 +90,10 @@ TEST(PackedMesh, IsTheMeshAgainWithinHalfAStep) {
 }
 
 TEST(PackedMesh, WithoutAFieldIsRefusedByItsFile) {
-  try {
-    packed_mesh(sphere(1, 0), {}, {{"sugar", {}}}, "surface_0000.hdf");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_EQ(std::string(error.what()), "surface_0000.hdf: has no field 'sugar': make the figure again");
-  }
+  EXPECT_EQ(message_of<InputError>([] {
+              packed_mesh(sphere(1, 0), {}, {{"sugar", {}}}, "surface_0000.hdf");
+            }),
+            "surface_0000.hdf: has no field 'sugar': make the figure again");
 }
 
 TEST(PackedMesh, OfMoreThanTwoBytesCanNumberIsRefused) {
