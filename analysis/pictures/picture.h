@@ -13,7 +13,8 @@
 namespace bake {
 
 /// The nearest camera that looks along -direction and sees all `points`. The share `margin` of the picture stays free on each side, and
-/// `below` more at the bottom and `above` at the top. The fit is exact: the outermost points touch the margins in width, in height or in both.
+/// `below` more at the bottom and `above` at the top. The fit is exact: the outermost points touch the margins in width, in height or in
+/// both.
 Camera fitted_camera(const std::vector<Vec3f>& points, const Vec3f& direction, double angle_of_view_deg, double aspect, double margin,
                      double below, double above = 0);
 
