@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/pictures/view.h"
@@ -41,6 +42,9 @@ struct PictureOptions {
 
 /// `threads`, or the number of the machine's threads if it is 0.
 int thread_count(int threads);
+
+/// Width and height of "640x480", given by that option. Throws InputError.
+std::pair<int, int> size_in_pixels(const std::string& option, const std::string& size);
 
 /// Throws InputError unless the file's name ends in `ending`.
 void check_ending(const std::filesystem::path& file, const char* ending);

@@ -153,8 +153,8 @@ void orient_outwards(Mesh& mesh) {
 }  // namespace
 
 std::vector<MeshField> fields_at(const std::vector<double>& points, const Particles& particles, const std::vector<MeshField>& fields,
-                                 int threads, const std::string& what) {
-  const float reach = k_reach * particles.spacing(), far = k_far_reach * particles.spacing();
+                                 int threads, const std::string& what, float spacing) {
+  const float distance = std::max(spacing, particles.spacing()), reach = k_reach * distance, far = k_far_reach * distance;
   const PointGrid near(particles.positions, reach);
   const std::size_t count = points.size() / 3;
   std::vector<MeshField> result;
@@ -201,7 +201,7 @@ Mesh splat_surface(const Particles& particles, const SplatSettings& settings) {
         fmt::format("the particles make no surface at a spacing of {:.3g} m: they are strewn; give a larger --spacing", spacing));
   orient_outwards(mesh);
   mesh.time_s = particles.time_s;
-  mesh.fields = fields_at(mesh.points, particles, particles.fields, settings.threads, "the surface");
+  mesh.fields = fields_at(mesh.points, particles, particles.fields, settings.threads, "the surface", spacing);
   return mesh;
 }
 

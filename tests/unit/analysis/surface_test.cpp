@@ -70,6 +70,15 @@ TEST(SplatSurface, IsTheSameForAnyNumberOfThreads) {
   EXPECT_TRUE(same_bits(one.fields[0].values, three.fields[0].values));
 }
 
+TEST(SplatSurface, OfRagsMayBeCoarserThanTheirParticles) {
+  Particles rags = particles_of(Ball(0.1f, 0.02f));
+  for (float& volume : rags.volumes) volume = 1e-9f;  // of 1 mm
+  const Mesh mesh = splat_surface(rags, {0.04, 1});
+  const MeshField* height = mesh.find("height");
+  ASSERT_TRUE(height);
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) EXPECT_NEAR(height->values[i], mesh.points[3 * i + 2], 0.04);
+}
+
 TEST(SplatSurface, OfStrewnParticlesIsRefused) {
   Particles particles = particles_of(Ball(0.1f, 0.05f));
   particles.positions[0] = 1e6f;

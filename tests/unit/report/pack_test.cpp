@@ -179,6 +179,22 @@ TEST_F(Bodies, ShareSizeAndRangesAndAreSmall) {
   EXPECT_EQ(packed_bodies({place / "a"}, false)[0].head["particles"], 0);
 }
 
+TEST_F(Bodies, ShowTheFieldsThatAllOfThemHave) {
+  write_ball(place / "a");
+  std::filesystem::create_directories(place / "dry");
+  for (const char* name : {"surface_0000.hdf", "look.json"}) std::filesystem::copy(place / "a" / name, place / "dry" / name);
+  FrameData data;
+  data.positions = std::vector<float>{0, 0, 0};
+  data.columns = {{"id", "", std::vector<std::int64_t>{1}, 1}, {"volume", "m^3", std::vector<float>{1}, 1}};
+  data.columns.push_back({"temperature", "C", std::vector<float>{20}, 1});
+  write_frame(place / "dry/particles_0000.hdf", 0, data);
+  EXPECT_EQ(packed_bodies({place / "a"}, false)[0].head["fields"].size(), 4u);
+  for (const PackedBody& body : packed_bodies({place / "a", place / "dry"}, false)) {
+    ASSERT_EQ(body.head["fields"].size(), 1u);
+    EXPECT_EQ(body.head["fields"][0]["name"], "temperature");
+  }
+}
+
 TEST_F(Bodies, HaveTheFieldsOfTheirInsideOnAGrid) {
   write_ball(place / "a");
   const PackedBody body = packed_bodies({place / "a"}, false).front();
