@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "analysis/surface/point_grid.h"
@@ -49,14 +50,29 @@ std::vector<std::string> frames_in(const fs::path& folder) {
   return names;
 }
 
-/// Which fields all bodies have, in the order of the page: one model may have no water, or no gas.
+/// Whether a field differs anywhere in the bodies by what can be read of a legend; an apple has pores without gas.
+bool varies(const std::vector<fs::path>& folders, const std::string& field) {
+  constexpr float k_least = 1e-3f;  // of a share; of temperatures far less than a legend shows
+  float low = INFINITY, high = -INFINITY;
+  for (const fs::path& folder : folders)
+    for (const std::string& name : frames_in(folder))
+      for (const float value : FrameReader(folder / ("particles_" + name)).column(field)) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+  return high - low > k_least;
+}
+
+/// Which fields all bodies have, in the order of the page: one model may have no water, or no gas. At least one, if there is any.
 std::vector<std::string> fields_of(const std::vector<fs::path>& folders) {
   std::vector<std::string> names(k_fields.begin(), k_fields.end());
   for (const fs::path& folder : folders) {
     const FrameReader reader(folder / ("particles_" + frames_in(folder).front()));
     std::erase_if(names, [&](const std::string& name) { return !reader.has(name); });
   }
-  return names;
+  std::vector<std::string> differing;
+  std::copy_if(names.begin(), names.end(), std::back_inserter(differing), [&](const std::string& name) { return varies(folders, name); });
+  return differing.empty() ? names : differing;
 }
 
 Body read_body(const fs::path& folder, const std::vector<std::string>& fields) {

@@ -195,6 +195,21 @@ TEST_F(Bodies, ShowTheFieldsThatAllOfThemHave) {
   }
 }
 
+TEST_F(Bodies, DoNotShowAFieldThatIsTheSameEverywhere) {
+  std::filesystem::create_directories(place / "dense");
+  write_ball(place / "a");
+  for (const char* name : {"surface_0000.hdf", "look.json"}) std::filesystem::copy(place / "a" / name, place / "dense" / name);
+  FrameData data;
+  data.positions = std::vector<float>{0, 0, 0, 0, 0, 0.1f};
+  data.columns = {{"id", "", std::vector<std::int64_t>{1, 2}, 1}, {"volume", "m^3", std::vector<float>{1, 1}, 1}};
+  data.columns.push_back({"saturation", "1", std::vector<float>{0.1f, 0.9f}, 1});
+  data.columns.push_back({"porosity", "1", std::vector<float>{1e-6f, 2e-6f}, 1});
+  write_frame(place / "dense/particles_0000.hdf", 0, data);
+  const auto fields = packed_bodies({place / "dense"}, false)[0].head["fields"];
+  ASSERT_EQ(fields.size(), 1u);
+  EXPECT_EQ(fields[0]["name"], "saturation");
+}
+
 TEST_F(Bodies, HaveTheFieldsOfTheirInsideOnAGrid) {
   write_ball(place / "a");
   const PackedBody body = packed_bodies({place / "a"}, false).front();
