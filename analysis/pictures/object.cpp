@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/pictures/shown.h"
 #include "analysis/surface/mesh_tools.h"

@@ -102,6 +102,7 @@ void Baker::scatter(double dt, const Vector& gravity) {
     });
     p.Q_scattered = p.Q();
   }
+  grid_.join();  // there are no skins between periodic faces
   for (const Skin& skin : skins_) {
     const std::vector<Vector> force = skin_forces(skin);
     for (std::size_t i = 0; i < skin.vertices.size(); ++i)
@@ -117,6 +118,7 @@ void Baker::update_nodes(double dt, const Surroundings& surroundings) {
       measure_published_surface(particles_, surroundings, grid_);
     else
       measure_surface(surroundings, grid_);
+    grid_.repeat();
   }
   grid_.for_each([&](const Index& i, Node& node) {
     node.area = open_area(node);
@@ -137,6 +139,7 @@ void Baker::update_nodes(double dt, const Surroundings& surroundings) {
     grid_.for_each([&](const Index& i, Node& node) { node.v = after[grid_.number(i)]; });
   }
   if (recipe_.heat && recipe_.heat_step == HeatStep::backward_euler) conduct_implicitly(particles_, dt, grid_);
+  grid_.repeat();
 }
 
 void Baker::gather(double dt, const Surroundings& surroundings) {

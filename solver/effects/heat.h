@@ -146,12 +146,14 @@ struct Heat : Effect {
     const auto& settings = scene.template of<Heat>();
     model.implicit_heat = settings.integrator == Integrator::backward_euler;
     model.heat_tolerance = settings.tolerance;
+    model.printed_heat_transfer = settings.heat_transfer_form == Form::published;
     if (settings.heat_transfer_form == Form::standard)
       model.conductivity_channel = Model::Scattered::template offset<channel::Conductivity>;
     model.temperature_channel = Model::Gathered::template offset<channel::NodeTemperature>;
     model.heat_entry = Model::Booked::template offset<booked::HeatExchanged>;
     for (const auto& [at, value] : scene.oven.heat_transfer_coefficient_W_per_m2K.points) model.needs_surface |= value != 0;
     for (const auto& collider : scene.colliders) model.needs_surface |= collider.heat_transfer_coefficient_W_per_m2K != 0;
+    for (const auto& face : scene.faces) model.needs_surface |= face.passes_heat();
   }
 
   static void fill(auto& p, int lane, const auto& start) {
@@ -345,6 +347,15 @@ struct Heat : Effect {
     if (own.transition_heat_J_per_kg > 0) complaint.unless_rising("transition_to_C", {own.transition_from_C, own.transition_to_C});
   }
 
+  /// As printed the nodes' temperature is that of the surface, so that none can be held, and a flux would have the sign of the others.
+  static void check_face(const auto& scene, const auto& face, const auto& complaint) {
+    const bool printed = scene.template of<Heat>().heat_transfer_form == Form::published;
+    if (face.temperature_C && !face.heat_transfer_coefficient_W_per_m2K && (printed || scene.surface.form == Form::published))
+      complaint.at("temperature_C", "found without heat_transfer_coefficient_W_per_m2K beside form = 'published', allowed: with it");
+    if (face.heat_flux_W_per_m2 && printed)
+      complaint.at("heat_flux_W_per_m2", "found beside heat_transfer_form = 'published', allowed: beside the standard form");
+  }
+
   static bool swells(const Material& own) { return own.expansion_per_K > 0; }
 
   static std::string idle(const auto& here) {
@@ -353,7 +364,8 @@ struct Heat : Effect {
     const bool exchanged =
         here.is_ever_above_zero(scene.oven.heat_transfer_coefficient_W_per_m2K) ||
         here.any(scene.colliders, [](const auto& c) { return c.temperature_C && c.heat_transfer_coefficient_W_per_m2K > 0; }) ||
-        here.any(scene.grips, [](const auto& g) { return g.temperature_C.has_value(); });
+        here.any(scene.grips, [](const auto& g) { return g.temperature_C.has_value(); }) ||
+        here.any(scene.faces, [](const auto& f) { return f.passes_heat(); });
     const bool uneven =
         here.any(scene.bodies, [](const auto& b) { return b.temperature_C.has_value(); }) ||
         here.any(scene.emitters, [](const auto& e) { return e.temperature_C.has_value(); }) ||

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 #include "solver/core/rows.h"
 #include "solver/engine/block_kernel.h"
@@ -47,7 +48,11 @@ class BlockKernelOf final : public BlockKernel<Real> {
     const HomeBlock* above = block_above(*work.store, index);
     Report<Real> report;
     report.totals_wanted = totals;
-    if (work.contacts->expels_near(block.at, 2 * static_cast<double>(work.step.dx))) report.obstacles = work.contacts;
+    std::optional<Expelling> expelling;
+    if (work.contacts->expels_near(block.at, 2 * static_cast<double>(work.step.dx))) {
+      expelling.emplace(*work.contacts, work.given ? work.given + static_cast<std::size_t>(index) * work.givers : nullptr);
+      report.obstacles = &*expelling;
+    }
     const int corner[3] = {4 * block.at.x, 4 * block.at.y, 4 * block.at.z};
     for (int d = 0; d < 3; ++d) {
       report.origin[d] = work.origin[d] + work.step.dx * Real(corner[d]);

@@ -7,18 +7,21 @@
 #include "solver/core/parallel.h"
 #include "solver/effects/fields.h"
 #include "solver/io/progress.h"
+#include "solver/scene/givers.h"
 
 namespace bake {
 
 template <class Real>
 Engine<Real>::Engine(const Scene& scene)
     : scene_(scene),
-      geometry_(scene.domain.min_m, scene.domain.max_m, scene.dx()),
+      geometry_(scene.domain.min_m, scene.domain.max_m, scene.dx(),
+                {scene.domain.is_periodic(0), scene.domain.is_periodic(1), scene.domain.is_periodic(2)}),
       physics_(make_physics_with_skins<Real>(scene)),
       kernel_(make_block_kernel<Real>(scene.grid.kernel, *physics_)),
       contacts_(scene, geometry_),
       scratch_(static_cast<std::size_t>(omp_get_max_threads())) {
   store_.columns = spare_.columns = physics_->column_count;
+  given_.resize(givers_of(scene).size());
 }
 
 template <class Real>
@@ -43,8 +46,9 @@ BlockWork<Real> Engine<Real>::work(const Step<Real>& step) {
   const Face high[3] = {scene_.domain.x_max, scene_.domain.y_max, scene_.domain.z_max};
   for (int d = 0; d < 3; ++d) {
     w.origin[d] = static_cast<Real>(origin[static_cast<std::size_t>(d)]);
-    w.low_face[d] = static_cast<Real>(geometry_.low_face());
-    w.high_face[d] = static_cast<Real>(geometry_.high_face(d));
+    const bool is_periodic = geometry_.is_periodic(d);  // then nothing is held or lost
+    w.low_face[d] = static_cast<Real>(is_periodic ? -k_infinity : geometry_.low_face());
+    w.high_face[d] = static_cast<Real>(is_periodic ? k_infinity : geometry_.high_face(d));
     w.open_low[d] = low[d] == Face::open;
     w.open_high[d] = high[d] == Face::open;
   }
@@ -141,7 +145,12 @@ void Engine<Real>::pass(double after, double next_dt, bool next_settles, bool sa
     w.sampled = sampled_.data();
   }
   results_.resize(store_.blocks.size());
-  for (const auto& columns : colours_.columns)
+  if (!given_.empty()) {
+    home_given_.assign(store_.blocks.size() * given_.size(), {});
+    w.given = home_given_.data();
+    w.givers = given_.size();
+  }
+  for (const auto& columns : colours_)
     for_each_parallel(columns.size(), 1, [&](std::size_t c) {
       Scratch<Real>& scratch = scratch_[static_cast<std::size_t>(omp_get_thread_num())];
       for (std::int32_t b = columns[c].first; b < columns[c].second; ++b)
@@ -155,6 +164,7 @@ void Engine<Real>::pass(double after, double next_dt, bool next_settles, bool sa
     highest_.fill(k_lowest);
   }
   reduce(results_);
+  if (!given_.empty()) sum_given(home_given_);
   std::vector<Migrant<Real>> migrants;
   for (auto& r : results_)
     for (auto& e : r.migrants) migrants.push_back(std::move(e));
@@ -171,6 +181,16 @@ void Engine<Real>::reduce(const std::vector<BlockResult<Real>>& results) {
     raise_to(bounds_, r.bounds);
     raise_to(highest_, r.highest);
     counters_.clamped += r.clamped;
+  }
+}
+
+/// In the order of the blocks.
+template <class Real>
+void Engine<Real>::sum_given(const std::vector<Given>& of_blocks) {
+  for (std::size_t i = 0; i < of_blocks.size(); ++i) {
+    Given& sum = given_[i % given_.size()];
+    sum.impulse = sum.impulse + of_blocks[i].impulse;
+    sum.heat += of_blocks[i].heat;
   }
 }
 

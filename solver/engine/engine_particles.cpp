@@ -30,6 +30,7 @@ void Engine<Real>::add(const std::vector<NewParticle>& particles, bool poured) {
       x[d] = static_cast<Real>(nodes - 4 * *at[d]);
     }
     homes.push_back(find_home(block, x));
+    homes.back().block = geometry_.wrapped(homes.back().block);
   }
   std::vector<std::uint32_t> order(particles.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
@@ -143,11 +144,12 @@ void Engine<Real>::after_sorting() {
     particle_count_ -= skins_->vertices_left();
   }
   active_.surround(store_.blocks, geometry_);
-  for (auto& columns : colours_.columns) columns.clear();
+  const int colours = geometry_.any_periodic() ? 3 : 2;  // along x and along y
+  colours_.assign(static_cast<std::size_t>(colours * colours), {});
   for (std::size_t i = 0; i < store_.blocks.size(); ++i) {
     const BlockIndex& b = store_.blocks[i].at;
     const bool same = i > 0 && store_.blocks[i - 1].at.x == b.x && store_.blocks[i - 1].at.y == b.y;
-    auto& columns = colours_.columns[(b.x & 1) * 2 + (b.y & 1)];
+    auto& columns = colours_[static_cast<std::size_t>(geometry_.colour(b.x, 0) * colours + geometry_.colour(b.y, 1))];
     if (same)
       columns.back().second = static_cast<std::int32_t>(i) + 1;
     else
@@ -200,6 +202,7 @@ void Engine<Real>::migrate_particles(std::vector<Migrant<Real>>& migrants) {
       x[d] = columns[k_position_column + d][e.lane] = inside;
     }
     homes[i] = find_home(block.at, x);
+    homes[i].block = geometry_.wrapped(homes[i].block);
   }
   std::sort(retired.begin(), retired.end());
   const auto leave_out = [&](std::int32_t tile, std::int32_t lane) {

@@ -25,6 +25,12 @@ struct NewParticle {
 /// node with `v`, in the step from `time` on for `dt` [s]. Called by several threads at once.
 using NodalForce = std::function<Vector3(const Point& x, const Vector3& v, double time, double dt)>;
 
+/// What a solid or a face of the domain gave to the dough.
+struct Given {
+  Vector3 impulse{0, 0, 0};  ///< [kg m/s]
+  double heat = 0;           ///< [J]
+};
+
 /// Counts since the start of the run.
 struct Counters {
   std::int64_t steps = 0;

@@ -410,8 +410,8 @@ void Model<Real, Effects...>::push_out(Particle& p, const Step<Real>& step, Repo
     }
     const Point x_0 = x;
     const Vector3 v_0 = v;
-    if (!report.obstacles->push_out(x, v)) continue;
     const auto m = static_cast<double>(mass[l]);
+    if (!report.obstacles->push_out(x, v, m)) continue;
     const Vector3 impulse = m * (v - v_0), angular_impulse = m * (cross(x, v) - cross(x_0, v_0));
     for (int d = 0; d < 3; ++d) {
       const auto i = static_cast<std::size_t>(d);

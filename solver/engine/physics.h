@@ -144,22 +144,23 @@ class Physics {
   int gather_channels = 0;   ///< numbers per node after it
 
   // What the engine does for the effects; each sets its own.
-  bool moves = false;                ///< nodes have velocities (gathered channels 0 to 2), which gravity and contacts change
-  VectorCurve gravity{Vector3{}};    ///< [m/s^2]
-  double inertia_scale = 1;          ///< inertial mass over mass
-  SettlingRule settling;             ///< how the dough comes to rest before the scene's time begins
-  bool samples_stress = false;       ///< what is sampled is not the velocity alone
-  bool needs_surface = false;        ///< something passes the surface: it is measured
-  bool moves_mass = false;           ///< mass moves between nodes or leaves them: NodeSums::moved and evaporated
-  bool implicit_heat = false;        ///< conduction by backward Euler, to
-  double heat_tolerance = 0;         ///< this relative residual
-  int volume_channel = -1;           ///< in a scattered row; -1: no surface is measured
-  SurfaceLayer<Real> surface_layer;  ///< what resists fluxes through the surface
-  double surface_rounding = 0;       ///< area that smoothing takes off a curved surface, per (dx (k_1 + k_2))^2
-  int conductivity_channel = -1;     ///< in a scattered row; -1: the layer below the surface resists no heat
-  int filled_channel = 0;            ///< in a scattered row: above zero where there are particles
-  int temperature_channel = -1;      ///< in a gathered row, the change stands before it; -1: there is none
-  double moved_specific_heat = 0;    ///< of the mass that moves or leaves [J/(kg K)]
+  bool moves = false;                  ///< nodes have velocities (gathered channels 0 to 2), which gravity and contacts change
+  VectorCurve gravity{Vector3{}};      ///< [m/s^2]
+  double inertia_scale = 1;            ///< inertial mass over mass
+  SettlingRule settling;               ///< how the dough comes to rest before the scene's time begins
+  bool samples_stress = false;         ///< what is sampled is not the velocity alone
+  bool needs_surface = false;          ///< something passes the surface: it is measured
+  bool moves_mass = false;             ///< mass moves between nodes or leaves them: NodeSums::moved and evaporated
+  bool implicit_heat = false;          ///< conduction by backward Euler, to
+  double heat_tolerance = 0;           ///< this relative residual
+  bool printed_heat_transfer = false;  ///< surroundings take beta (theta_out - theta) from the nodes, theta being that before the step
+  int volume_channel = -1;             ///< in a scattered row; -1: no surface is measured
+  SurfaceLayer<Real> surface_layer;    ///< what resists fluxes through the surface
+  double surface_rounding = 0;         ///< area that smoothing takes off a curved surface, per (dx (k_1 + k_2))^2
+  int conductivity_channel = -1;       ///< in a scattered row; -1: the layer below the surface resists no heat
+  int filled_channel = 0;              ///< in a scattered row: above zero where there are particles
+  int temperature_channel = -1;        ///< in a gathered row, the change stands before it; -1: there is none
+  double moved_specific_heat = 0;      ///< of the mass that moves or leaves [J/(kg K)]
   int sampled() const { return samples_stress ? 9 : 3; }  ///< numbers of a particle: velocity, Cauchy stress in the order of symmetric.h
   // where in a Budget the engine books what it knows only after the grid update
   int heat_entry = 0;            ///< heat that came in through surfaces [J]

@@ -194,7 +194,7 @@ void Run::begin() {
   began_ = steady_seconds();
   try {
     save_description("running");
-    ledger_.emplace(LedgerFile::create(results_.ledger(), ledger_columns()));
+    ledger_.emplace(LedgerFile::create(results_.ledger(), ledger_columns(scene_)));
     if (!scene_.skins.empty()) results_.make_skins();
     save_frame(0, simulation_->shown_frame(), first_);
   } catch (...) {
@@ -233,7 +233,7 @@ void Run::resume() {
   wall_before_ = wall_so_far(results_);
   began_ = steady_seconds();
   results_.remove_frames_behind(frame_);
-  ledger_.emplace(LedgerFile::resume(results_.ledger(), ledger_columns(), times_(frame_)));
+  ledger_.emplace(LedgerFile::resume(results_.ledger(), ledger_columns(scene_), times_(frame_)));
   const Ledger rows = read_ledger(results_.ledger());
   first_ = rows.rows.front();
   last_ = rows.rows.back();
@@ -274,7 +274,7 @@ void Run::save_frame(int frame, const ShownFrame& shown, const std::vector<doubl
 /// Writes run.json: what the run is, and its state so far. Its seconds include those before the run was resumed.
 void Run::save_description(const char* state) const {
   nlohmann::json summary;
-  const auto names = ledger_columns();
+  const auto names = ledger_columns(scene_);
   for (std::size_t i = 0; i < last_.size(); ++i) summary[names[i]] = last_[i];
   summary["state"] = state;
   summary["wall_s"] = wall_before_ + wall_here();

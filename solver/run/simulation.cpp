@@ -108,6 +108,8 @@ class SimulationOf final : public Simulation {
     }
     return 0;
   }
+  const std::vector<Giver>& givers() const override { return givers_; }
+  const std::vector<Given>& given() const override { return engine_.given(); }
   Box3 extent() const override {
     Box3 box{{k_infinity, k_infinity, k_infinity}, {-k_infinity, -k_infinity, -k_infinity}};
     for_each_particle([&](const ParticleSlot& p) {
@@ -323,8 +325,9 @@ class SimulationOf final : public Simulation {
   static double number(const ParticleSlot& p, int column) { return static_cast<double>(p.columns[column][p.lane]); }
   Point position(const ParticleSlot& p) const {
     const Point origin = engine_.geometry().origin(engine_.store().blocks[p.block].at);
-    return origin + engine_.geometry().dx() *
-                        Vector3{number(p, k_position_column), number(p, k_position_column + 1), number(p, k_position_column + 2)};
+    const Point x = origin + engine_.geometry().dx() *
+                                 Vector3{number(p, k_position_column), number(p, k_position_column + 1), number(p, k_position_column + 2)};
+    return engine_.geometry().any_periodic() ? engine_.geometry().wrapped(x) : x;
   }
   Vector3 velocity(const ParticleSlot& p) const {
     const Real* v = sampled(p);
@@ -346,6 +349,7 @@ class SimulationOf final : public Simulation {
   }
 
   const Scene scene_;
+  const std::vector<Giver> givers_ = givers_of(scene_);
   Engine<Real> engine_;
   std::vector<std::unique_ptr<EmitterState>> emitters_;
 };

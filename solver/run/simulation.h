@@ -11,6 +11,7 @@
 #include "solver/engine/engine_types.h"
 #include "solver/io/frames.h"
 #include "solver/io/mesh_file.h"
+#include "solver/scene/givers.h"
 
 namespace bake {
 
@@ -82,7 +83,9 @@ class Simulation {
   double bound(Q, int i = 0) const {  ///< over the particles, in the last step
     return amount(Sum::bound, Q::symbol, i);
   }
-  virtual Box3 extent() const = 0;  ///< of the particles [m]
+  virtual const std::vector<Giver>& givers() const = 0;  ///< what the scene wants in the ledger one by one,
+  virtual const std::vector<Given>& given() const = 0;   ///< and what each of them gave since the start
+  virtual Box3 extent() const = 0;                       ///< of the particles [m]
   virtual Snapshot snapshot() const = 0;
   virtual FrameData frame() const = 0;  ///< ordered by identity, without the vertices of skins
   /// The skins, with what their vertices have: velocity, area_ratio, curvature, skin, and saturation and temperature of the flesh around.

@@ -51,10 +51,10 @@ class Work {
 
  private:
   struct State {
-    Vector3 x, v;                             ///< v and swelling, d(ln J)/dt, are those of the step that led here
-    double swelling;                          ///< [1/s]
-    double mass, V_0, J, pressure;            ///< pi, the negative of the Kirchhoff stress that gas and water add [Pa]
-    double thermal_strain, thermal_pressure;  ///< 3 alpha_l (theta - theta_0), and K of it less tr epsilon [Pa]
+    Vector3 x, v = {0, 0, 0};                         ///< v and swelling, d(ln J)/dt, are those of the step that led here
+    double swelling = 0;                              ///< [1/s]
+    double mass, V_0, J, pressure;                    ///< pi, the negative of the Kirchhoff stress that gas and water add [Pa]
+    double thermal_strain = 0, thermal_pressure = 0;  ///< 3 alpha_l (theta - theta_0), and K of it less tr epsilon [Pa]
   };
 
   /// Its mean until `time`.
@@ -91,15 +91,8 @@ class Work {
       const auto of_it = [&](const auto* values, double otherwise) { return values ? (*values)[i] : otherwise; };
       const double m_w = of_it(water, 0), ratio = of_it(J, 1);
       const Material& material = scene_->materials[static_cast<std::size_t>(now.material[i])];
-      all.push_back({now.position[i],
-                     {},
-                     0,
-                     solid[i] + m_w,
-                     V_0[i],
-                     ratio,
-                     pressure(material, V_0[i], ratio, of_it(theta, material.initial_temperature_C), of_it(nu, 0), m_w),
-                     0,
-                     0});
+      const double pi = pressure(material, V_0[i], ratio, of_it(theta, material.initial_temperature_C), of_it(nu, 0), m_w);
+      all.push_back({.x = now.position[i], .mass = solid[i] + m_w, .V_0 = V_0[i], .J = ratio, .pressure = pi});
       if (!theta || !strain) continue;
       const Elasticity::Material& e = of<Elasticity>(material);
       const double bulk = e.young_modulus_Pa / (3 * (1 - 2 * e.poisson_ratio));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "solver/core/curve.h"
+
 #include <gtest/gtest.h>
 
 #include <stdexcept>
-
-#include "solver/scene/scene.h"
 
 namespace bake::test {
 namespace {
