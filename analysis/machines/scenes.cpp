@@ -82,4 +82,30 @@ Scene elastic_block(Precision precision, int cells) {
   return builder.scene();
 }
 
+// The flesh and skin of experiments/fig09_grapes, at the grid of `standard`.
+Scene grape(Precision precision, bool in_skin) {
+  SceneBuilder builder;
+  builder.effects = "motion, water, elasticity, plasticity";
+  builder.precision = word_of(precision);
+  builder.dx = 0.0008;
+  builder.low = {-0.0128, -0.0128, -0.0128};
+  builder.high = {0.0128, 0.0128, 0.0128};
+  builder.motion = "inertia_scale = 1500";
+  builder.material = R"(density_kg_per_m3 = 1000
+young_modulus_Pa = 2e3
+poisson_ratio = 0.3
+initial_temperature_C = 60
+initial_porosity = 1e-6
+initial_saturation = 0.8
+yield_stress_Pa = 200
+pressure_Pa = 8330
+diffusivity_m2_per_sK = 1.33e-7
+evaporation_kg_per_m2sK = 0.0133
+)";
+  builder.shape = "ellipsoid = { half_axes_m = [0.009, 0.008, 0.008] }";
+  builder.body = "jitter = 1";
+  if (in_skin) builder.tables = "[[skin]]\nyoung_modulus_Pa = 1e5\npoisson_ratio = 0.3\nthickness_m = 3.5e-4\ndensity_kg_per_m3 = 1000\n";
+  return builder.scene();
+}
+
 }  // namespace bake::bench

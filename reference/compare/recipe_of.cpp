@@ -17,7 +17,7 @@ template <class... Structs>
 constexpr std::size_t k_keys = (0 + ... + std::tuple_size_v<decltype(Structs::parameters())>);
 static_assert(
     k_keys<DomainSettings, GridSettings, SurfaceSettings, Oven, Material, Body, Collider, Grip, DomainFace, Emitter, Skin> == 75 &&
-        k_keys<Motion::Settings, Heat::Settings, Water::Settings, Elasticity::Settings, Plasticity::Settings, Leavening::Settings> == 19 &&
+        k_keys<Motion::Settings, Heat::Settings, Water::Settings, Elasticity::Settings, Plasticity::Settings, Leavening::Settings> == 22 &&
         k_keys<Heat::Material, Water::Material, Elasticity::Material, Plasticity::Material, Leavening::Material> == 20,
     "scenes have another number of keys: hand the new one to the textbook or refuse it here, so that it is not left out silently");
 
@@ -104,10 +104,17 @@ void refuse_fracture(const Scene& scene) {
                                    scene.file.string(), m.name, energy));
 }
 
+void refuse_settling(const Scene& scene) {
+  if (const double damping = scene.of<Motion>().settle_damping_per_s; scene.lists(Motion::name) && damping > 0)
+    throw InputError(fmt::format("{}: motion.settle_damping_per_s: found {:g}, allowed: 0, since the textbook does not settle",
+                                 scene.file.string(), damping));
+}
+
 }  // namespace
 
 textbook::Recipe recipe_of(const Scene& scene) {
   refuse_unknown_effects(scene);
+  refuse_settling(scene);
   refuse_fracture(scene);
   textbook::Recipe r;
   r.motion = scene.lists(Motion::name);
@@ -140,7 +147,6 @@ textbook::Recipe recipe_of(const Scene& scene) {
                : motion.transfer == Motion::Transfer::pic ? textbook::Transfer::pic
                                                           : textbook::Transfer::apic;
   r.flip_blend = motion.flip_blend;
-  r.gravity = plain(motion.gravity_m_per_s2);
   r.inertia_scale = motion.inertia_scale;
 
   const auto& heat = scene.of<Heat>();
@@ -161,8 +167,9 @@ textbook::Recipe recipe_of(const Scene& scene) {
   return r;
 }
 
-textbook::Surroundings surroundings_of(const Scene& scene, double time_s) {
+textbook::Surroundings surroundings_of(const Scene& scene, double time_s, double dt) {
   textbook::Surroundings s;
+  s.gravity = plain(scene.of<Motion>().gravity_m_per_s2.mean(time_s, time_s + dt));
   s.air = {scene.oven.heat_transfer_coefficient_W_per_m2K(time_s), scene.oven.temperature_C(time_s),
            scene.oven.equilibrium_saturation(time_s)};
   for (const Collider& collider : scene.colliders) {

@@ -72,7 +72,6 @@ struct Recipe {
 
   Transfer transfer = Transfer::apic;
   double flip_blend = 0.95;
-  Vector gravity;            ///< [m/s^2]
   double inertia_scale = 1;  ///< inertial mass per mass
 
   HeatStep heat_step = HeatStep::forward_euler;
@@ -114,6 +113,7 @@ struct Air {
 
 /// The surroundings of the dough during one step.
 struct Surroundings {
+  Vector gravity;  ///< [m/s^2]
   Air air;
   std::vector<Solid> solids;
   std::vector<Solid> walls;  ///< faces of the domain that pass heat, as solids beyond them, whose rules for motion are the faces'

@@ -179,7 +179,7 @@ struct Heat : Effect {
 
   /// Share of a difference between a particle and its nodes that diffusion of the length dx evens out in a step. Implicit: never above 1.
   BAKE_INLINE static auto evened_out(auto diffusivity, auto subgrid, const auto& step) {
-    const auto x = (subgrid * step.dt / (step.dx * step.dx)) * diffusivity;
+    const auto x = (subgrid * step.baking_dt / (step.dx * step.dx)) * diffusivity;
     return x / (1 + x);
   }
 
@@ -242,7 +242,7 @@ struct Heat : Effect {
     to.value(channel::heat_content) += c * p[field::theta];
     to.value(channel::heat_lent) += lent_heat(p, k);
     to.value(channel::conductivity) += k.kappa * p.volume();
-    const auto flux = (step.dt_next * step.inverse_d) * p.volume();
+    const auto flux = (step.baking_dt_next * step.inverse_d) * p.volume();
     if (!k.implicit)
       for (int d = 0; d < 3; ++d) to.moment(channel::heat_change, 0, d) -= k.kappa * flux * p[field::grad_theta][d];
     if constexpr (P::template has<field::WaterFlux>)
@@ -255,7 +255,7 @@ struct Heat : Effect {
         auto rate = C[0] + C[4] + C[8];
         if constexpr (P::template has<field::PlasticDilation>)
           if (!k.published_expansion) rate -= p[field::plastic_dilation];
-        const auto taken = (step.dt_next * k.beta_T) * p[field::V_0] * theta * rate;
+        const auto taken = (step.baking_dt_next * k.beta_T) * p[field::V_0] * theta * rate;
         to.value(channel::heat_change) -= taken;
       }
     }
@@ -299,7 +299,7 @@ struct Heat : Effect {
       capacity += k.water * (node.sums.moved + node.sums.evaporated);
     }
     const auto& around = node.surroundings;
-    const auto transfer = step.dt * around.heat_transfer, source = step.dt * around.heat_transfer_source;
+    const auto transfer = step.baking_dt * around.heat_transfer, source = step.baking_dt * around.heat_transfer_source;
     const auto weight = capacity + transfer;
     auto theta = filled ? (content + change + source) / weight : none;
     if (k.published_heat_transfer) theta = filled ? (content + change - source + transfer * old) / capacity : none;

@@ -74,8 +74,8 @@ class BlockKernelOf final : public BlockKernel<Real> {
       V x[3];
       load_position(columns, x);
       FromTile::particles(scratch.gather_tile.data(), S(x), 1 / work.step.dx, gathered, prefetch_next_tile);
-      V* velocity = work.velocity ? reinterpret_cast<V*>(work.velocity) + at * 3 : nullptr;
-      work.physics->advance(columns, work.store->tiles[at].material, gathered, RG, scattered, RS, velocity, work.step, report);
+      V* sampled = work.sampled ? reinterpret_cast<V*>(work.sampled) + at * static_cast<std::size_t>(work.physics->sampled()) : nullptr;
+      work.physics->advance(columns, work.store->tiles[at].material, gathered, RG, scattered, RS, sampled, work.step, report);
 
       load_position(columns, x);
       const LaneMask<Real> gone = report.leaving(x);

@@ -86,7 +86,7 @@ Contacts::Contacts(const Scene& scene, const GridGeometry& geometry)
   }
 }
 
-void Contacts::prepare(double time) {
+void Contacts::prepare(double time, bool at_rest) {
   present_.clear();
   largest_speed_ = 0;
   expels_ = false;
@@ -96,7 +96,8 @@ void Contacts::prepare(double time) {
   }
   for (const Contacting& c : all_) {
     if (!c.scripted.present(time)) continue;
-    const RigidState pose = c.scripted.path.at(time);
+    RigidState pose = c.scripted.path.at(time);
+    if (at_rest) pose.velocity = pose.angular_velocity = {0, 0, 0};
     present_.push_back({&c, pose, c.scripted.bounds(pose), c.temperature ? (*c.temperature)(time) : 0});
     largest_speed_ = std::max(largest_speed_, c.speed);
     expels_ |= c.expels;

@@ -51,8 +51,8 @@ class Contacts final : public Obstacles {
  public:
   Contacts(const Scene& scene, const GridGeometry& geometry);
 
-  /// Fixes all poses for a step that begins at `time`.
-  void prepare(double time);
+  /// Fixes all poses for a step that begins at `time`; `at_rest`: as they are then, and none moves on.
+  void prepare(double time, bool at_rest = false);
   /// Does anything touch the block or lie within `reach` of it?
   bool near(const BlockIndex& block, double reach) const;
   /// Does a collider lie within `reach` of the block?

@@ -28,7 +28,8 @@ template <class Real>
 Step<Real> Engine<Real>::current_step() const {
   const double dx = geometry_.dx();
   const double inverse_d = scene_.grid.kernel == KernelOrder::quadratic ? 4 : 3;
-  return {static_cast<Real>(dt_), static_cast<Real>(dt_), static_cast<Real>(dx), static_cast<Real>(inverse_d / (dx * dx))};
+  const Real dt = static_cast<Real>(dt_), baking_dt = settling_.now ? Real(0) : dt;
+  return {dt, dt, baking_dt, baking_dt, static_cast<Real>(dx), static_cast<Real>(inverse_d / (dx * dx))};
 }
 
 template <class Real>
@@ -91,36 +92,57 @@ double Engine<Real>::next_step(double from, double target, double next_target) {
 
 template <class Real>
 void Engine<Real>::start(double first_target) {
-  contacts_.prepare(time_);
+  const bool settles = physics_->settling.damping > 0;
+  contacts_.prepare(time_, settles);
   update_grid();
-  pass(next_step(time_, first_target, first_target), true);
+  pass(time_, settles ? next_settling_step() : next_step(time_, first_target, first_target), settles, true);
+}
+
+/// Equal steps up to the end of settling.
+template <class Real>
+double Engine<Real>::next_settling_step() {
+  return next_step(settling_.time, physics_->settling.longest, physics_->settling.longest);
+}
+
+/// Adds the step that is taken to the time of settling. Returns whether another follows.
+template <class Real>
+bool Engine<Real>::settle_on() {
+  const SettlingRule& rule = physics_->settling;
+  settling_.time += dt_;
+  const bool slow = bounds_[static_cast<std::size_t>(rule.speed_bound)] <= rule.slow * rule.slow;  // false if that is no number
+  settling_.still_for = slow ? settling_.still_for + dt_ : 0;
+  settling_.is_still = settling_.still_for * rule.damping >= 1;
+  return !settling_.is_still && settling_.time < rule.longest - 1e-9 * dt_;
 }
 
 template <class Real>
 void Engine<Real>::step(double target, double next_target) {
   const double began = steady_seconds();
-  contacts_.prepare(time_);
+  contacts_.prepare(time_, settling_.now);
   update_grid();
   const double updated = steady_seconds(), ordered = phases_.ordering;
-  const double after = time_ + dt_;
-  const bool reaches = after >= target - 1e-9 * dt_;
-  pass(next_step(reaches ? target : after, target, next_target), reaches);
-  time_ = reaches ? target : after;
+  const bool reaches = !settling_.now && time_ + dt_ >= target - 1e-9 * dt_;
+  const double after = settling_.now ? time_ : reaches ? target : time_ + dt_;
+  const bool settles_on = settling_.now && settle_on();
+  pass(after, settles_on ? next_settling_step() : next_step(after, target, next_target), settles_on, reaches);
+  time_ = after;
   ++counters_.steps;
   counters_.particle_steps += static_cast<std::int64_t>(particle_count_);
   phases_.grid += updated - began;
   phases_.transfer += steady_seconds() - updated - (phases_.ordering - ordered);
 }
 
+/// `after`: when the next step begins, which takes `next_dt` and may belong to settling.
 template <class Real>
-void Engine<Real>::pass(double next_dt, bool sample) {
+void Engine<Real>::pass(double after, double next_dt, bool next_settles, bool sample) {
   Step<Real> step = current_step();
   step.dt_next = static_cast<Real>(next_dt);
+  step.baking_dt_next = next_settles ? Real(0) : step.dt_next;
   BlockWork<Real> w = work(step);
-  velocity_.resize_and_forget(0);
+  sampled_.resize_and_forget(0);
   if (sample && physics_->moves) {
-    velocity_.resize_and_forget(store_.tiles.size() * 3 * k_width<Real>);
-    w.velocity = velocity_.data();
+    sampled_.resize_and_forget(store_.tiles.size() * static_cast<std::size_t>(physics_->sampled() * k_width<Real>));
+    w.sampled = sampled_.data();
   }
   results_.resize(store_.blocks.size());
   if (!given_.empty()) {
@@ -135,6 +157,7 @@ void Engine<Real>::pass(double next_dt, bool sample) {
         kernel_->advance(w, b, scratch, results_[static_cast<std::size_t>(b)], sample);
     });
   dt_ = next_dt;
+  settling_.now = next_settles;
   bounds_ = {};
   if (sample) {
     totals_ = {};
@@ -147,7 +170,7 @@ void Engine<Real>::pass(double next_dt, bool sample) {
     for (auto& e : r.migrants) migrants.push_back(std::move(e));
   const bool is_stale = physics_->moves && counters_.steps - last_sorted_ >= k_most_steps_unsorted;
   if (!migrants.empty() || is_stale) migrate_particles(migrants);
-  if (skins_) pull_skins(sample);
+  if (skins_) pull_skins(after, sample);
 }
 
 template <class Real>
@@ -173,7 +196,7 @@ void Engine<Real>::sum_given(const std::vector<Given>& of_blocks) {
 
 template <class Real>
 std::size_t Engine<Real>::bytes() const {
-  return store_.data.bytes() + spare_.data.bytes() + scattered_.bytes() + spare_rows_.bytes() + gathered_.bytes() + velocity_.bytes() +
+  return store_.data.bytes() + spare_.data.bytes() + scattered_.bytes() + spare_rows_.bytes() + gathered_.bytes() + sampled_.bytes() +
          (store_.tiles.capacity() + spare_.tiles.capacity()) * sizeof(Tile) +
          (store_.blocks.capacity() + spare_.blocks.capacity()) * sizeof(HomeBlock) + active_.slot_of.capacity() * sizeof(std::int32_t) +
          surface_.bytes();

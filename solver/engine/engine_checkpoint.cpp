@@ -80,6 +80,9 @@ void Engine<Real>::write(CheckpointWriter& out) const {
   for (const Given& g : given_) given.insert(given.end(), {g.impulse[0], g.impulse[1], g.impulse[2], g.heat});
   if (!given.empty()) out.add("given", std::span<const double>(given));
   if (skins_) skins_->write(out);
+  if (!(physics_->settling.damping > 0)) return;
+  const double settling[] = {double(settling_.now), settling_.time, settling_.still_for, double(settling_.is_still)};
+  out.add("settling", std::span<const double>(settling));
 }
 
 template <class Real>
@@ -155,6 +158,12 @@ void Engine<Real>::read(const CheckpointReader& in) {
   counters_ = {counts[0], counts[1], counts[2], counts[3], counts[4]};
   next_identity_ = counts[5];
   last_sorted_ = counts[6];
+  if (!(physics_->settling.damping > 0)) return;
+  const auto settling = in.array<double>("settling");
+  expect(settling.size() == 4 && settling[1] >= 0 && settling[2] >= 0);
+  expect_numbers(settling, false);
+  settling_ = {settling[0] != 0, settling[1], settling[2], settling[3] != 0};
+  expect(!settling_.now || time_ == 0);
 }
 
 template void Engine<float>::write(CheckpointWriter&) const;

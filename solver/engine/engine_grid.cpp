@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 
+#include "solver/core/elementary.h"
 #include "solver/core/parallel.h"
 #include "solver/core/rows.h"
 #include "solver/core/vector3.h"
@@ -102,8 +103,8 @@ void Engine<Real>::update_grid() {
     });
     const BlockWork<Real> w = work(step);
     booked_[static_cast<std::size_t>(physics_->heat_entry)] +=
-        implicit_heat_.solve(*kernel_, w, colours_, scratch_, heat_weight_, heat_transfer_, physics_->temperature_channel, dt_,
-                             physics_->heat_tolerance, gathered_);
+        implicit_heat_.solve(*kernel_, w, colours_, scratch_, heat_weight_, heat_transfer_, physics_->temperature_channel,
+                             settling_.now ? 0 : dt_, physics_->heat_tolerance, gathered_);
     if (physics_->moves_mass)
       for (std::size_t s = 0; s < blocks; ++s)
         if (active_.touched[s])
@@ -145,7 +146,7 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
     prefetch_rows(from + (k_block_nodes + n) * RS, W * RS);  // of the next block
     kernel_->take_nodes(from + n * RS, in);
     Surroundings<Real> around = surroundings(pack, has_surface ? &surface : nullptr, air);
-    if (at_contact && contacts_.holds_temperatures()) hold_temperatures(s, static_cast<int>(n), in, around);
+    if (at_contact && contacts_.holds_temperatures() && !settling_.now) hold_temperatures(s, static_cast<int>(n), in, around);
     physics_->update_nodes(in, out[pack], sums[pack], around, step, booked);
     for (int c = physics_->gather_channels; c < gathered_row(); ++c) out[pack][c] = Lanes<Real>{};
     if (physics_->moves)
@@ -157,6 +158,7 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
     }
   }
   if (force_) change_velocities(s, sums, out, booked, [&](int, const Point& x, const Vector3& v) { return force_(x, v, time_, dt_); });
+  if (settling_.now) damp(s, sums, out, booked);
   beside_collider_[s] = physics_->moves && contacts_.collider_near(active_.at[s], contacts_.reach_beside_colliders());
   if (physics_->moves && at_contact && !beside_collider_[s])
     change_velocities(s, sums, out, booked, [&](int n, const Point& x, const Vector3& v) { return touched(s, n, sums, x, v, nullptr); });
@@ -187,7 +189,7 @@ Vector3 Engine<Real>::touched(std::size_t slot, int node, const NodeSums<Real>* 
 template <class Real>
 template <class Power>
 void Engine<Real>::tell_heat(Power power) {
-  if (given_.empty() || physics_->temperature_channel < 0 || !physics_->needs_surface) return;
+  if (given_.empty() || settling_.now || physics_->temperature_channel < 0 || !physics_->needs_surface) return;
   const auto RG = static_cast<std::size_t>(gathered_row());
   for_each_parallel(active_.at.size(), 16, [&](std::size_t s) {
     if (!active_.touched[s]) return;
@@ -203,7 +205,29 @@ void Engine<Real>::tell_heat(Power power) {
 /// What gravity adds to velocities.
 template <class Real>
 void Engine<Real>::find_fall(Lanes<Real> (&dv)[3]) const {
-  for (std::size_t d = 0; d < 3; ++d) dv[d] = lanes<Real>(static_cast<Real>(dt_ * physics_->gravity[d] / physics_->inertia_scale));
+  const Vector3 g = gravity_from(time_);
+  for (std::size_t d = 0; d < 3; ++d) dv[d] = lanes<Real>(static_cast<Real>(dt_ * g[d] / physics_->inertia_scale));
+}
+
+/// While the dough settles, velocities decay. What that takes is booked.
+template <class Real>
+void Engine<Real>::damp(std::size_t slot, const NodeSums<Real>* sums, Lanes<Real> (*nodes)[k_most_channels], Budget& booked) const {
+  using V = Lanes<Real>;
+  const auto kept = static_cast<Real>(elementary::exp(-physics_->settling.damping * dt_));
+  Impulses<Real> impulses;
+  V taken{};
+  for (int pack = 0; pack < k_packs<Real>; ++pack) {
+    V impulse[3];
+    for (int d = 0; d < 3; ++d) {
+      const V before = nodes[pack][d], after = kept * before;
+      nodes[pack][d] = after;
+      impulse[d] = sums[pack].inertia * (after - before);
+      taken += Real(0.5) * sums[pack].inertia * (before * before - after * after);
+    }
+    impulses.add(pack * k_width<Real>, impulse);
+  }
+  impulses.book(geometry_.origin(active_.at[slot]), geometry_.dx(), booked);
+  booked[static_cast<std::size_t>(physics_->settling.damped_entry)] += sum_lanes(taken);
 }
 
 /// The nodes around one of a block beside a collider, before contact.
@@ -412,6 +436,7 @@ void Engine<Real>::change_velocities(std::size_t slot, const NodeSums<Real>* sum
   template void Engine<Real>::update_grid();                                                                                         \
   template void Engine<Real>::update_block(std::size_t, const Air&, const Step<Real>&, Budget&);                                     \
   template void Engine<Real>::touch_colliders();                                                                                     \
+  template void Engine<Real>::damp(std::size_t, const NodeSums<Real>*, Lanes<Real>(*)[k_most_channels], Budget&) const;              \
   template Vector3 Engine<Real>::touched(std::size_t, int, const NodeSums<Real>*, const Point&, const Vector3&, const NodesAround*); \
   template double Engine<Real>::face_beyond_grip() const;                                                                            \
   template bool Engine<Real>::is_held(std::size_t, int) const;                                                                       \

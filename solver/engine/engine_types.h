@@ -40,6 +40,14 @@ struct Counters {
   std::int64_t retired = 0;  ///< particles that left through open faces
 };
 
+/// The start in which the dough settles. The scene's time is 0 all the while.
+struct Settling {
+  bool now = false;       ///< does the step that comes next belong to it?
+  double time = 0;        ///< that it has taken [s]
+  double still_for = 0;   ///< no particle was faster than the rule says for so long [s]
+  bool is_still = false;  ///< did it end because the dough lay still?
+};
+
 /// Where the time of the steps went [s of the clock], since the engine was made.
 struct PhaseSeconds {
   double grid = 0;      ///< the grid update: surface, forces, contact

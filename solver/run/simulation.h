@@ -45,8 +45,9 @@ class Simulation {
   static std::unique_ptr<Simulation> resume(const Scene& scene, const CheckpointReader& checkpoint);
   virtual ~Simulation() = default;
 
-  /// Steps until `target`, at which everything is sampled; `next_target` is where it will be asked to go then. After each step
-  /// calls `after_step`; if that returns false, stops there. Returns whether the target was reached.
+  /// Steps until `target`, at which everything is sampled; `next_target` is where it will be asked to go then. Steps in which the dough
+  /// settles come before all others and take none of the scene's time. After each step calls `after_step`; if that returns false, stops
+  /// there. Returns whether the target was reached.
   virtual bool advance(
       double target, double next_target, const std::function<bool()>& after_step = [] { return true; }) = 0;
   virtual void set_force(NodalForce force) = 0;  ///< see Engine
@@ -56,6 +57,7 @@ class Simulation {
   virtual double dt() const = 0;
   virtual std::size_t particles() const = 0;  ///< without the vertices of skins
   virtual const Counters& counters() const = 0;
+  virtual const Settling& settling() const = 0;
   // Quantities are called by what the effects declare, e.g. total(total::momentum, 2); 0 if no effect of the scene has it.
   template <class Q>
   double booked(Q, int i = 0) const {  ///< since the start

@@ -26,6 +26,7 @@ struct RunSettings {
   int seed = 1;
   Precision precision = Precision::single_precision;
   int checkpoint_every_frames = 10;
+  bool stress_in_frames = false;
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"end_s", &RunSettings::end_s, "s", positive, "simulated time at which the run ends", Presence::required},
@@ -36,6 +37,8 @@ struct RunSettings {
         Parameter{"checkpoint_every_frames", &RunSettings::checkpoint_every_frames, "1",
                   Range{1, 1e9, false, false, "a whole number of at least 1"},
                   "a checkpoint is written at the last frame and every so many frames"},
+        Parameter{"stress_in_frames", &RunSettings::stress_in_frames, "", any_number,
+                  "whether frames have the columns stress and von_mises, where something moves"},
     };
   }
 };

@@ -38,11 +38,6 @@ struct Running {
   double flops, bytes_per_particle, bytes_per_node, bytes_moved_per_node, bytes_moved, flowing;
 };
 
-void take_steps(Simulation& simulation, int steps) {
-  constexpr double never = 1e6;  // [s]: no step is one that samples
-  simulation.advance(never, never, [&] { return --steps > 0; });
-}
-
 template <class Real>
 void describe(Running& running) {
   const auto physics = make_physics<Real>(running.scene);
@@ -133,6 +128,12 @@ Subject block_subject(Precision precision, int cells) {
           cells < 50 ? 50 : 4};
 }
 
+/// The ratio of the two times a step is what a skin costs.
+Subject grape_subject(Precision precision, bool in_skin) {
+  return {fmt::format("{}/{}/28K", in_skin ? "grape_in_skin" : "grape", word_of(precision)), precision,
+          [=] { return grape(precision, in_skin); }, 200, 200};
+}
+
 }  // namespace
 
 void register_steps(const Limits& limits) {
@@ -151,6 +152,7 @@ void register_steps(const Limits& limits) {
     if (c.name == "all") add(mixed_loaf_subject(c, Precision::single_precision, 100), limits, one_and_all);
   for (const int cells : {25, 100})
     for (const Precision precision : precisions) add(block_subject(precision, cells), limits, one_and_all);
+  for (const bool in_skin : {false, true}) add(grape_subject(Precision::single_precision, in_skin), limits, one_and_all);
 }
 
 }  // namespace bake::bench

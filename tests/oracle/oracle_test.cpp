@@ -231,6 +231,7 @@ temperature_C = 150
              {.name = "thirteen_cells", .gravity = "[150, 150, 150]", .far_corner = {0.7, 0.7, 0.7}},
              {.name = "fourteen_cells", .gravity = "[150, 150, 150]", .far_corner = {0.8, 0.8, 0.8}},
              {.name = "fifteen_cells", .gravity = "[150, 150, 150]", .far_corner = {0.9, 0.9, 0.9}},
+             {.name = "ramped_gravity", .gravity = "[[0.001, [0, 50, 0]], [0.012, [150, -100, 50]], [0.02, [-100, 0, -50]]]"},
              {.name = "hurled_at_walls", .gravity = "[150, -100, 50]"},
              {.name = "hurled_through_open_faces", .gravity = "[150, -100, 50]", .faces = "x_max = \"open\"\nz_max = \"open\""},
          }) {
@@ -269,6 +270,7 @@ density_kg_per_m3 = 2000
   for (RandomScene r : std::vector<RandomScene>{{.name = "pic", .motion = "transfer = \"pic\""},
                                                 {.name = "heavy", .motion = "inertia_scale = 50"},
                                                 {.name = "backward_euler", .heat = "integrator = \"backward_euler\""},
+                                                {.name = "ramped_gravity", .gravity = "[[0.001, [0, 50, 0]], [0.012, [150, -100, 50]]]"},
                                                 {.name = "cut", .tables = k_knife}}) {
     r.effects = k_everything;
     r.tables += skins;

@@ -26,8 +26,7 @@ TEST(Ledger, HasEachNameOnceWithAMeaning) {
 }
 
 TEST(Ledger, OfAnEffectThatIsNotListedIsZero) {
-  Dough dough;
-  dough.effects = "heat";
+  Dough dough("heat");
   const auto s = dough.begin();
   for (const LedgerColumn& c : ledger()) {
     if (is_of_scene(dough.scene(), c.name)) continue;
