@@ -19,6 +19,7 @@ bool contains(const std::vector<std::string>& list, std::string_view word) {
 /// Returns the range of what is measured.
 Range check_computed(const SceneEntry& entry, const Claim& claim, const std::vector<KnownNumber>& computed) {
   if (entry.find("of")) entry.complain_at("of", "found [], allowed: a run or surface, or a list of them");
+  if (!claim.measured.empty()) entry.complain_at("measured", "needs `of`: the run whose metric is compared");
   std::vector<std::string> names;
   for (const KnownNumber& number : computed) {
     names.push_back(number.name);
@@ -46,7 +47,12 @@ Range check_metric(const SceneEntry& entry, const Claim& claim, const std::vecto
     entry.complain_at("metric", error.what());
   }
   check_place(entry, *metric, claim.place);
-  return metric->range;
+  if (claim.measured.empty()) return metric->range;
+  if (!metric->is_of_run() || !contains(metric->knows, "time_s"))
+    entry.complain_at("measured", fmt::format("found '{}' for {}, allowed: for a metric of a run that has a time", quotable(claim.measured),
+                                              claim.metric));
+  if (claim.place.time_s) entry.complain_at("time_s", "measured points have their own times");
+  return non_negative;
 }
 
 /// Refuses a bound that nothing in the range of the measured number can miss.

@@ -34,6 +34,7 @@ struct Claim {
   std::string metric;
   std::vector<std::string> of;
   MetricPlace place;  ///< its keys stand directly in [[claim]]
+  std::string measured;
   std::optional<double> expected, tolerance, at_least, at_most;
   std::string greater_than;
   double factor = 1;
@@ -47,6 +48,8 @@ struct Claim {
         Parameter{"metric", &Claim::metric, "", any_number, "what is measured; without `of`, a number that the item's function computes",
                   Presence::required},
         Parameter{"of", &Claim::of, "", any_number, "the run or surface that it is measured of, or a list: the condition holds for each"},
+        Parameter{"measured", &Claim::measured, "", any_number,
+                  "a [[measured]] of the figure: what is judged is how far the metric over time is from its points, root mean square"},
         Parameter{"expected", &Claim::expected, "", any_number, "the number that it must be"},
         Parameter{"tolerance", &Claim::tolerance, "", non_negative, "how far it may be from that"},
         Parameter{"at_least", &Claim::at_least, "", any_number, "lower bound"},

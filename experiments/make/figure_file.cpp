@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 #include "analysis/image/layout.h"
@@ -125,6 +126,18 @@ void check(const SceneEntry& entry, const FigureMontage& montage, const Figure& 
   for (const Place& place : layout.places) check_known(entry, "rows", place.name, "picture", names_in(figure.pictures));
 }
 
+void check(const SceneEntry& entry, const FigureMeasured& measured, const Figure& figure, const ComputedNames&) {
+  check_name(entry, measured.name, names_in(figure.measured));
+  for (const auto& [key, text] : {std::pair{"source", &measured.source}, {"reading", &measured.reading}})
+    if (text->empty()) entry.complain_at(key, "found \"\", allowed: words");
+  const std::vector<double>& times = measured.times_s;
+  if (times.empty()) entry.complain_at("times_s", "found [], allowed: one time or more");
+  if (std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) != times.end())
+    entry.complain_at("times_s", "allowed: rising times");
+  if (measured.values.size() != times.size())
+    entry.complain_at("values", fmt::format("found {}, allowed: as many as times_s, {}", measured.values.size(), times.size()));
+}
+
 void check(const SceneEntry& entry, const FigureObject& object, const Figure& figure, const ComputedNames&) {
   check_name(entry, object.name, names_in(figure.objects));
   check_view(entry, object.view, figure);
@@ -157,6 +170,9 @@ void check(const SceneEntry& entry, const FigureChart& chart, const Figure& figu
   if (!chart.metric.empty()) check_metrics(entry, chart);
   if (!chart.against.empty() && chart.metric.empty()) entry.complain_at("against", "needs a metric beside it");
   for (const std::string& name : chart.of) check_known(entry, "of", name, "run", names_in(figure.runs));
+  for (const std::string& name : chart.measured) check_known(entry, "measured", name, "[[measured]]", names_in(figure.measured));
+  if (!chart.measured.empty() && (chart.metric.empty() || !chart.against.empty() || chart.measured.size() > chart.of.size()))
+    entry.complain_at("measured", "allowed: beside a metric over time, at most as many as runs");
 }
 
 /// Checks that the surface has the time, and that something can have broken by then.
@@ -175,6 +191,7 @@ void check_time(const SceneEntry& entry, const Claim& claim, const FigureSurface
 
 /// Checks that the metric can be measured of the run or surface that the claim names.
 void check(const SceneEntry& entry, const Claim& claim, const Figure& figure) {
+  if (!claim.measured.empty()) check_known(entry, "measured", claim.measured, "[[measured]]", names_in(figure.measured));
   auto names = claim.of;
   if (!claim.greater_than.empty()) names.push_back(claim.greater_than);
   for (const std::string& name : names) {
@@ -226,7 +243,7 @@ Figure read_figure(const fs::path& file, const ComputedNames& computed) {
   const Document document{file.string(), file.parent_path()};
   const toml::table table = parse_toml(read_text_file(file), document.name);
   const SceneEntry root(document, table);
-  root.refuse_unknown({"title", "shows", "run", "surface", "picture", "montage", "object", "chart", "claim", "blessed"});
+  root.refuse_unknown({"title", "shows", "run", "surface", "picture", "montage", "object", "measured", "chart", "claim", "blessed"});
   Figure figure;
   figure.file = file;
   figure.title = required_text(root, "title");
@@ -236,6 +253,7 @@ Figure read_figure(const fs::path& file, const ComputedNames& computed) {
   read_tables(root, "picture", &Figure::pictures, figure, computed);
   read_tables(root, "montage", &Figure::montages, figure, computed);
   read_tables(root, "object", &Figure::objects, figure, computed);
+  read_tables(root, "measured", &Figure::measured, figure, computed);
   read_tables(root, "chart", &Figure::charts, figure, computed);
   std::vector<KnownNumber> numbers = computed.numbers;
   for (const FigurePicture& picture : figure.pictures)

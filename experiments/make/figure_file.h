@@ -55,6 +55,26 @@ struct FigureSurface {
 /// What follows the name of a run whose skins a picture shows.
 inline constexpr std::string_view k_skin_of = ".skin";
 
+/// [[measured]]: what others measured of the real thing, as points over time.
+struct FigureMeasured {
+  std::string name;
+  std::string source;
+  std::string reading;
+  std::vector<double> times_s;
+  std::vector<double> values;
+  static constexpr auto parameters() {
+    return std::tuple{
+        Parameter{"name", &FigureMeasured::name, "", any_number, "what claims and charts call it", Presence::required},
+        Parameter{"source", &FigureMeasured::source, "", any_number, "who published it, and where", Presence::required},
+        Parameter{"reading", &FigureMeasured::reading, "", any_number, "how the numbers were read, and how far they can be trusted",
+                  Presence::required},
+        Parameter{"times_s", &FigureMeasured::times_s, "s", non_negative, "times of the points, rising", Presence::required},
+        Parameter{"values", &FigureMeasured::values, "", any_number, "what was measured, in the unit of the metric it is compared with",
+                  Presence::required},
+    };
+  }
+};
+
 enum class PictureKind { picture, slice };
 constexpr auto choice_names(PictureKind) { return std::array{"picture", "slice"}; }
 
@@ -123,6 +143,7 @@ struct FigureChart {
   MetricPlace place;  ///< its keys stand directly in [[chart]]
   std::string label;
   std::vector<std::string> of;
+  std::vector<std::string> measured;
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"name", &FigureChart::name, "", any_number, "name of its files", Presence::required},
@@ -135,6 +156,8 @@ struct FigureChart {
                   "a second metric of runs: each run is then one point, the first upright, both at its end; for scans"},
         Parameter{"label", &FigureChart::label, "", any_number, "beside the upright axis; the name of column or metric unless given"},
         Parameter{"of", &FigureChart::of, "", any_number, "the runs, one line each"},
+        Parameter{"measured", &FigureChart::measured, "", any_number,
+                  "measured points, each in the colour of the run at the same place of `of`; over time only"},
     };
   }
 };
@@ -172,6 +195,7 @@ struct Figure {
   std::vector<FigurePicture> pictures;
   std::vector<FigureMontage> montages;
   std::vector<FigureObject> objects;
+  std::vector<FigureMeasured> measured;
   std::vector<FigureChart> charts;
   std::vector<Claim> claims;
 };

@@ -72,6 +72,12 @@ charts::Chart chart_over_time(const FigurePaths& paths, const FigureChart& chart
     panel.series.push_back({words_of(name), charts::Kind::line, run.column("time_s"),
                             metric ? metric_over_time(run, *metric, chart.place) : run.column_as_it_is(column)});
   }
+  for (std::size_t i = 0; i < chart.measured.size(); ++i) {
+    const FigureMeasured& measured = *find_named(paths.figure.measured, chart.measured[i]);
+    panel.series.push_back({words_of(measured.name), charts::Kind::points, measured.times_s, measured.values});
+    panel.series.back().colour = charts::palette(i);
+    panel.series.back().marker = charts::Marker::circle;
+  }
   panel.legend = panel.series.size() > 1 ? charts::Legend::right : charts::Legend::none;
   return {chart.name, chart.shows, {panel}, 1, 4.4, 2.8};
 }

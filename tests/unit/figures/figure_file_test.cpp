@@ -205,6 +205,52 @@ TEST_F(FigureFile, RefusesChartsOfWhatHasNoTimes) {
             "figure.toml:31: chart.1.time_s: the chart is drawn over all times");
 }
 
+/// Points over time that the chart of what has set draws and a claim is held to.
+const char* const k_measured = R"(
+[[measured]]
+name = "dried"
+source = "a paper"
+reading = "from its table"
+times_s = [0, 10, 20]
+values = [1, 0.8, 0.7]
+[[claim]]
+metric = "water_left"
+of = "plain"
+measured = "dried"
+at_most = 0.03
+kind = "measured"
+why = "the scatter of the paper"
+)";
+
+TEST_F(FigureFile, HasMeasuredPointsThatClaimsAndChartsName) {
+  std::string text = std::string(k_figure) + k_measured;
+  const std::string of_slit = "temperature_C = 60\nof = [\"slit\"]";
+  text.replace(text.find(of_slit), of_slit.size(), of_slit + "\nmeasured = [\"dried\"]");
+  const Figure figure = read(text);
+  ASSERT_EQ(figure.measured.size(), 1);
+  EXPECT_EQ(figure.measured[0].values, (std::vector{1., 0.8, 0.7}));
+  EXPECT_EQ(figure.charts[1].measured, std::vector<std::string>{"dried"});
+  EXPECT_EQ(figure.claims.back().measured, "dried");
+}
+
+TEST_F(FigureFile, RefusesMeasuredPointsThatCannotBeCompared) {
+  const auto error = [&](const std::string& from, const std::string& to) {
+    std::string text = std::string(k_figure) + k_measured;
+    text.replace(text.find(from), from.size(), to);
+    const std::string line = message_of<InputError>([&] { read(text); });
+    return line.substr(line.find(": ") + 2);
+  };
+  EXPECT_EQ(error("times_s = [0, 10, 20]", "times_s = [0, 20, 20]"), "measured.0.times_s: allowed: rising times");
+  EXPECT_EQ(error("values = [1, 0.8, 0.7]", "values = [1, 0.8]"), "measured.0.values: found 2, allowed: as many as times_s, 3");
+  EXPECT_EQ(error("source = \"a paper\"", "source = \"\""), "measured.0.source: found \"\", allowed: words");
+  EXPECT_EQ(error("measured = \"dried\"", "measured = \"dry\""), "claim.2.measured: unknown [[measured]] 'dry'; allowed: dried");
+  EXPECT_EQ(error("metric = \"water_left\"", "metric = \"volume_gain\""),
+            "claim.2.measured: found 'dried' for volume_gain, allowed: for a metric of a run that has a time");
+  EXPECT_EQ(error("at_most = 0.03", "at_least = 0"), "claim.2.at_least: found 0, allowed: above 0: no water_left is below it");
+  EXPECT_EQ(error("column = \"volume_m3\"", "column = \"volume_m3\"\nmeasured = [\"dried\"]"),
+            "chart.0.measured: allowed: beside a metric over time, at most as many as runs");
+}
+
 TEST_F(FigureFile, RefusesChartsOfOneMetricAgainstNone) {
   const std::string over_time = "metric = \"heated_share\"\ntemperature_C = 60";
   std::string text = k_figure;
