@@ -74,6 +74,7 @@ Figure part_of(const Figure& figure, const FigurePicture& picture) {
   Figure part;
   part.file = figure.file;
   part.title = figure.title;
+  part.measured = figure.measured;  // which claims may be compared with
   const std::vector<std::string> shown = runs_shown(picture, figure);
   const auto is_shown = [&](const std::string& name) {
     return std::any_of(shown.begin(), shown.end(), [&](const std::string& run) { return belongs_to(figure, name, run); });
