@@ -131,13 +131,13 @@ void add_check_commands(CLI::App& app, Action& action) {
   check_command.add_option("subject", arguments->subject, "bread, cookie, a file like their claims.toml, or the folder of a finished run")
       ->required();
   add_common(check_command);
-  check_command.callback([arguments, &action] { action = [arguments] { return check(*arguments); }; });
+  on_request(check_command, action, [arguments] { return check(*arguments); });
 
   CLI::App& bless_command = *app.add_subcommand("bless", "Measure a scene's regressions anew, with a reason");
   bless_command.add_option("scene", arguments->subject, "bread, cookie, or a file like their claims.toml")->required();
   bless_command.add_option("--why", arguments->why, "the reason")->required();
   add_common(bless_command);
-  bless_command.callback([arguments, &action] { action = [arguments] { return bless(find_claims(arguments->subject), *arguments); }; });
+  on_request(bless_command, action, [arguments] { return bless(find_claims(arguments->subject), *arguments); });
 }
 
 }  // namespace bake::cli

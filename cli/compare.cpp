@@ -43,7 +43,7 @@ void add_compare_command(CLI::App& app, Action& action) {
       ->expected(2, 1000)
       ->type_name("FILE");
   command.add_option("--out", arguments->out, "also write a chart (compare.svg, .pdf, .csv) into this folder")->type_name("DIR");
-  command.callback([arguments, &action] { action = [arguments] { return compare(*arguments); }; });
+  on_request(command, action, [arguments] { return compare(*arguments); });
 }
 
 }  // namespace bake::cli

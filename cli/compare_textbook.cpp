@@ -66,7 +66,7 @@ void add_compare_textbook_command(CLI::App& app, Action& action) {
   command.add_option("--steps", arguments->steps, "steps to take [100]")->type_name("N")->transform(whole_number(1, 1'000'000'000));
   add_quality_option(command, arguments->quality);
   add_set_option(command, arguments->overrides);
-  command.callback([arguments, &action] { action = [arguments] { return compare(*arguments); }; });
+  on_request(command, action, [arguments] { return compare(*arguments); });
 }
 
 }  // namespace bake::cli

@@ -62,11 +62,11 @@ void add_figure_commands(CLI::App& app, Action& action) {
   figure_command.add_option("--samples", arguments->options.samples, "paths of light per pixel, instead of the view's")
       ->type_name("N")
       ->transform(whole_number(1, 1'000'000));
-  figure_command.callback([arguments, &action] { action = [arguments] { return figure(*arguments, "figure"); }; });
+  on_request(figure_command, action, [arguments] { return figure(*arguments, "figure"); });
 
   CLI::App& table_command = *app.add_subcommand("table", "Make a table of the paper and check its claims");
   table_command.add_option("number", arguments->item, "its number")->required();
-  table_command.callback([arguments, &action] { action = [arguments] { return figure(*arguments, "table"); }; });
+  on_request(table_command, action, [arguments] { return figure(*arguments, "table"); });
 
   for (CLI::App* command : {&figure_command, &table_command}) {
     add_quality_option(*command, arguments->options.quality);

@@ -46,19 +46,9 @@ void add_help_commands(CLI::App& app, Action& action) {
   CLI::App& explain_command = *app.add_subcommand("explain", "Say what a scene key or a column of results means");
   explain_command.add_option(
       "key", *key, "a key, a table, an effect, a shape, or a column of the ledger or of frames; without it, an overview of all keys");
-  explain_command.callback([key, &action] {
-    action = [key] {
-      fmt::print("{}", explain_key_or_column(*key));
-      return k_success;
-    };
-  });
+  on_request(explain_command, action, [key] { fmt::print("{}", explain_key_or_column(*key)); });
 
-  app.add_subcommand("version", "Print the version")->callback([&action] {
-    action = [] {
-      fmt::print("{}\n", version_line());
-      return k_success;
-    };
-  });
+  on_request(*app.add_subcommand("version", "Print the version"), action, [] { fmt::print("{}\n", version_line()); });
 }
 
 }  // namespace bake::cli

@@ -17,12 +17,11 @@ struct ReportArguments {
   std::filesystem::path out = "report.html";
 };
 
-int write(const ReportArguments& arguments) {
+void write(const ReportArguments& arguments) {
   const report::ReportPage made = report::make_report(read_items(items_root(BAKE_SOURCE_DIR)), arguments.quality);
   write_text_atomically(arguments.out, made.page);
   fmt::print("{}: {} reproduced, {} not reproduced, {} not run, {} not there yet\n", arguments.out.string(), made.reproduced,
              made.not_reproduced, made.not_run, made.not_there_yet);
-  return k_success;
 }
 
 }  // namespace
@@ -32,7 +31,7 @@ void add_report_command(CLI::App& app, Action& action) {
   CLI::App& command = *app.add_subcommand("report", "Write one page with every figure that was made: pictures, claims, verdicts");
   add_quality_option(command, arguments->quality);
   command.add_option("--out", arguments->out, "the page [report.html]")->type_name("FILE");
-  command.callback([arguments, &action] { action = [arguments] { return write(*arguments); }; });
+  on_request(command, action, [arguments] { write(*arguments); });
 }
 
 }  // namespace bake::cli

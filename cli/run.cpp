@@ -76,7 +76,7 @@ void add_run_command(CLI::App& app, Action& action) {
   command.add_flag("--resume", arguments->options.resume,
                    "continue from the checkpoint in the folder of the results; begin if there is none");
   command.add_flag("--quiet", arguments->options.quiet, "print errors only");
-  command.callback([arguments, &action] { action = [arguments] { return run(*arguments); }; });
+  on_request(command, action, [arguments] { return run(*arguments); });
 }
 
 }  // namespace bake::cli

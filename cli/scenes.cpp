@@ -50,15 +50,15 @@ int list_figures() {
   return k_success;
 }
 
-/// Prints one line `<item> <run>` for every run of every finished item, or `<item>` alone if it has no run: for programs that distribute
-/// runs.
+/// Prints one line `<item> <run>` for every run that a finished item needs, or `<item>` alone if it needs none: for programs that
+/// distribute runs.
 int list_runs() {
   const Items items = read_items(items_root(BAKE_SOURCE_DIR));
   for (const Item& item : items.items) {
     if (item.status != ItemStatus::done) continue;
-    const auto runs = read_figure(items, item).figure.runs;
+    const auto runs = runs_of(read_figure(items, item).figure);
     if (runs.empty()) fmt::print("{}\n", item.name);
-    for (const FigureRun& run : runs) fmt::print("{} {}\n", item.name, run.name);
+    for (const std::string& run : runs) fmt::print("{} {}\n", item.name, run);
   }
   return k_success;
 }
@@ -101,7 +101,7 @@ void add_scene_commands(CLI::App& app, Action& action) {
     command.add_option("scene", arguments->scene, "name or path of a .toml file")->required();
     add_quality_option(command, arguments->options.quality);
     add_set_option(command, arguments->options.overrides);
-    command.callback([arguments, act, &action] { action = [arguments, act] { return act(*arguments); }; });
+    on_request(command, action, [arguments, act] { return act(*arguments); });
     return command;
   };
   add_threads_option(add_command("info", "Say what a run of a scene would be: size, steps, memory", info), arguments->threads);

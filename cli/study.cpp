@@ -45,16 +45,14 @@ void add_study_command(CLI::App& app, Action& action) {
                    "accuracy: measure and leave the page to a later call, so that cases can run side by side");
   command.add_option("--reference", options->reference, "accuracy: make the fine run that this case is measured against")
       ->type_name("CASE");
-  command.callback([&all, name, options, &action] {
-    action = [&all, name, options] {
-      const auto study = std::find_if(all.begin(), all.end(), [&](const studies::Study& s) { return *name == s.name; });
-      refuse_elsewhere(*name, "--case", !options->cases.empty(), {"convergence", "accuracy"});
-      refuse_elsewhere(*name, "--full", options->full, {"accuracy"});
-      refuse_elsewhere(*name, "--measure-only", options->measure_only, {"accuracy"});
-      refuse_elsewhere(*name, "--reference", !options->reference.empty(), {"accuracy"});
-      if (options->out.empty()) options->out = std::filesystem::path("results") / "studies" / *name;
-      return study->run(*options) ? k_success : k_failed_check;
-    };
+  on_request(command, action, [&all, name, options] {
+    const auto study = std::find_if(all.begin(), all.end(), [&](const studies::Study& s) { return *name == s.name; });
+    refuse_elsewhere(*name, "--case", !options->cases.empty(), {"convergence", "accuracy"});
+    refuse_elsewhere(*name, "--full", options->full, {"accuracy"});
+    refuse_elsewhere(*name, "--measure-only", options->measure_only, {"accuracy"});
+    refuse_elsewhere(*name, "--reference", !options->reference.empty(), {"accuracy"});
+    if (options->out.empty()) options->out = std::filesystem::path("results") / "studies" / *name;
+    return study->run(*options) ? k_success : k_failed_check;
   });
 }
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "solver/core/errors.h"
 #include "solver/io/frames.h"

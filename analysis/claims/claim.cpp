@@ -48,7 +48,7 @@ Range check_metric(const SceneEntry& entry, const Claim& claim, const std::vecto
   }
   check_place(entry, *metric, claim.place);
   if (claim.measured.empty()) return metric->range;
-  if (!metric->of_run || !contains(metric->knows, "time_s"))
+  if (!metric->is_of_run() || !contains(metric->knows, "time_s"))
     entry.complain_at("measured", fmt::format("found '{}' for {}, allowed: for a metric of a run that has a time", quotable(claim.measured),
                                               claim.metric));
   if (claim.place.time_s) entry.complain_at("time_s", "measured points have their own times");

@@ -13,10 +13,24 @@ namespace {
 /// The largest without regard to sign: a negative one would turn a drift into a small number.
 double largest_size(const std::vector<double>& values) { return larger(std::abs(largest_of(values)), std::abs(smallest_of(values))); }
 
-double gain(const Results& run, std::string_view column) {
-  run.expect_change();
-  const double before = run.first(column);
-  return before > 0 ? run.last(column) / before : std::nan("");
+OfRun last(const char* column) {
+  return [=](const Results& run, const MetricPlace&) { return run.last(column); };
+}
+
+OfRun largest(const char* column) {
+  return [=](const Results& run, const MetricPlace&) { return largest_of(run.column(column)); };
+}
+
+OfRun smallest(const char* column) {
+  return [=](const Results& run, const MetricPlace&) { return smallest_of(run.column(column)); };
+}
+
+OfRun gain(const char* column) {
+  return [=](const Results& run, const MetricPlace&) {
+    run.expect_change();
+    const double before = run.first(column);
+    return before > 0 ? run.last(column) / before : std::nan("");
+  };
 }
 
 /// The mass that there was at the start and that was poured.
@@ -29,13 +43,14 @@ double volume_gain(const Results& run, const MetricPlace&) {
 }
 
 /// The change of momentum along `axis` that the booked impulses do not explain, divided by the mass.
-double momentum_drift(const Results& run, char axis) {
-  const std::string a(1, axis);
-  const auto name = [&](const char* what) { return fmt::format("{}_{}_kg_m_per_s", what, a); };
-  const auto momentum = name("momentum"), impulse = name("impulse"), remap = name("water_remap_momentum"),
-             retired = name("retired_momentum"), emitted = name("emitted_momentum");
-  return run.drift({{momentum.c_str(), 1}, {impulse.c_str(), -1}, {remap.c_str(), -1}, {retired.c_str(), 1}, {emitted.c_str(), -1}}) /
-         (mass_of(run, "solid_mass_kg") + mass_of(run, "water_mass_kg"));
+OfRun momentum_drift(char axis) {
+  return [=](const Results& run, const MetricPlace&) {
+    const auto name = [&](const char* what) { return fmt::format("{}_{}_kg_m_per_s", what, axis); };
+    const auto momentum = name("momentum"), impulse = name("impulse"), remap = name("water_remap_momentum"),
+               retired = name("retired_momentum"), emitted = name("emitted_momentum");
+    return run.drift({{momentum.c_str(), 1}, {impulse.c_str(), -1}, {remap.c_str(), -1}, {retired.c_str(), 1}, {emitted.c_str(), -1}}) /
+           (mass_of(run, "solid_mass_kg") + mass_of(run, "water_mass_kg"));
+  };
 }
 
 double springback(const Results& run, const MetricPlace& at) {
@@ -50,41 +65,23 @@ double springback(const Results& run, const MetricPlace& at) {
 std::vector<Metric> ledger_metrics() {
   return {
       {"volume_gain", "1", non_negative, "volume at the end over volume at the start and of what was poured", volume_gain},
-      {"poured_mass", "kg", non_negative, "mass of the solid that emitters have poured until the end",
-       [](const Results& run, const MetricPlace&) { return run.last("emitted_solid_mass_kg"); }},
-      {"height_gain", "1", non_negative, "height at the end over height at the start",
-       [](const Results& run, const MetricPlace&) { return gain(run, "height_m"); }},
-      {"extent_x_gain", "1", non_negative, "extent along x at the end over that at the start",
-       [](const Results& run, const MetricPlace&) { return gain(run, "extent_x_m"); }},
-      {"extent_y_gain", "1", non_negative, "extent along y at the end over that at the start",
-       [](const Results& run, const MetricPlace&) { return gain(run, "extent_y_m"); }},
-      {"height", "m", non_negative, "height at the end", [](const Results& run, const MetricPlace&) { return run.last("height_m"); }},
-      {"largest_height", "m", non_negative, "largest height on the way",
-       [](const Results& run, const MetricPlace&) { return largest_of(run.column("height_m")); }},
-      {"springback",
-       "1",
-       any_number,
-       "share of the height that was lost from reference_time_s to time_s and is there again at the end",
-       springback,
-       nullptr,
-       {},
-       {"reference_time_s", "time_s"}},
-      {"surface", "m^2", non_negative, "surface that touches air at the end",
-       [](const Results& run, const MetricPlace&) { return run.last("surface_m2"); }},
+      {"poured_mass", "kg", non_negative, "mass of the solid that emitters have poured until the end", last("emitted_solid_mass_kg")},
+      {"height_gain", "1", non_negative, "height at the end over height at the start", gain("height_m")},
+      {"extent_x_gain", "1", non_negative, "extent along x at the end over that at the start", gain("extent_x_m")},
+      {"extent_y_gain", "1", non_negative, "extent along y at the end over that at the start", gain("extent_y_m")},
+      {"height", "m", non_negative, "height at the end", last("height_m")},
+      {"largest_height", "m", non_negative, "largest height on the way", largest("height_m")},
+      {"springback", "1", any_number, "share of the height that was lost from reference_time_s to time_s and is there again at the end",
+       springback, needs(), knows("reference_time_s", "time_s")},
+      {"surface", "m^2", non_negative, "surface that touches air at the end", last("surface_m2")},
       {"water_lost_share", "1", non_negative, "evaporated water over the water at the start and of what was poured",
        [](const Results& run, const MetricPlace&) { return run.last("water_evaporated_kg") / mass_of(run, "water_mass_kg"); }},
-      {"gas_made", "mol", non_negative, "CO2 made until the end",
-       [](const Results& run, const MetricPlace&) { return run.last("gas_mol"); }},
-      {"coldest", "C", above_absolute_zero, "lowest particle temperature at the end",
-       [](const Results& run, const MetricPlace&) { return run.last("temperature_min_C"); }},
-      {"mean_temperature", "C", above_absolute_zero, "mean temperature by volume at the end",
-       [](const Results& run, const MetricPlace&) { return run.last("temperature_mean_C"); }},
-      {"hottest_ever", "C", above_absolute_zero, "highest particle temperature of any frame",
-       [](const Results& run, const MetricPlace&) { return largest_of(run.column("temperature_max_C")); }},
-      {"coldest_ever", "C", above_absolute_zero, "lowest particle temperature of any frame",
-       [](const Results& run, const MetricPlace&) { return smallest_of(run.column("temperature_min_C")); }},
-      {"dissipated", "J", non_negative, "plastic work until the end",
-       [](const Results& run, const MetricPlace&) { return run.last("dissipated_J"); }},
+      {"gas_made", "mol", non_negative, "CO2 made until the end", last("gas_mol")},
+      {"coldest", "C", above_absolute_zero, "lowest particle temperature at the end", last("temperature_min_C")},
+      {"mean_temperature", "C", above_absolute_zero, "mean temperature by volume at the end", last("temperature_mean_C")},
+      {"hottest_ever", "C", above_absolute_zero, "highest particle temperature of any frame", largest("temperature_max_C")},
+      {"coldest_ever", "C", above_absolute_zero, "lowest particle temperature of any frame", smallest("temperature_min_C")},
+      {"dissipated", "J", non_negative, "plastic work until the end", last("dissipated_J")},
       {"solid_drift", "1", non_negative, "largest unexplained change of the solid's mass, relative",
        [](const Results& run, const MetricPlace&) {
          return run.drift({{"solid_mass_kg", 1}, {"retired_solid_mass_kg", 1}, {"emitted_solid_mass_kg", -1}}) /
@@ -107,14 +104,10 @@ std::vector<Metric> ledger_metrics() {
                            {"emitted_heat_content_J", -1}}) /
                 largest_size(run.column("heat_content_J"));
        }},
-      {"momentum_drift_x", "m/s", non_negative, "largest unexplained change of momentum along x, over the mass",
-       [](const Results& run, const MetricPlace&) { return momentum_drift(run, 'x'); }},
-      {"momentum_drift_y", "m/s", non_negative, "the same along y",
-       [](const Results& run, const MetricPlace&) { return momentum_drift(run, 'y'); }},
-      {"momentum_drift_z", "m/s", non_negative, "the same along z",
-       [](const Results& run, const MetricPlace&) { return momentum_drift(run, 'z'); }},
-      {"retired_particles", "1", non_negative, "particles that left through open faces",
-       [](const Results& run, const MetricPlace&) { return run.last("retired_particles"); }},
+      {"momentum_drift_x", "m/s", non_negative, "largest unexplained change of momentum along x, over the mass", momentum_drift('x')},
+      {"momentum_drift_y", "m/s", non_negative, "the same along y", momentum_drift('y')},
+      {"momentum_drift_z", "m/s", non_negative, "the same along z", momentum_drift('z')},
+      {"retired_particles", "1", non_negative, "particles that left through open faces", last("retired_particles")},
   };
 }
 

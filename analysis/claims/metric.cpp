@@ -15,9 +15,9 @@ Measurement::Measurement(const NoNumber& why) : value(std::nan("")), problem(why
 namespace {
 
 template <class Function, class Of>
-Measurement measured(const Metric& metric, Function of, const Of& what, const std::string& where, const MetricPlace& place) {
+Measurement measured(const Metric& metric, const Of& what, const std::string& where, const MetricPlace& place) {
   try {
-    Measurement m = of(what, place);
+    Measurement m = std::get<Function>(metric.of)(what, place);
     if (!m.is_number()) m.problem = fmt::format("{}: {}: {}", where, metric.name, m.problem);
     return m;
   } catch (const NoNumber& why) {
@@ -28,11 +28,11 @@ Measurement measured(const Metric& metric, Function of, const Of& what, const st
 }  // namespace
 
 Measurement measure(const Metric& metric, const Results& run, const MetricPlace& place) {
-  return measured(metric, metric.of_run, run, run.folder().string(), place);
+  return measured<OfRun>(metric, run, run.folder().string(), place);
 }
 
 Measurement measure(const Metric& metric, const Fracture& surface, const MetricPlace& place) {
-  return measured(metric, metric.of_surface, surface, surface.file.string(), place);
+  return measured<OfSurface>(metric, surface, surface.file.string(), place);
 }
 
 bool is_in_box(const Vector3& point, const MetricPlace& at) {

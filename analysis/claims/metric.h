@@ -2,9 +2,11 @@
 // Metrics: named numbers that are measured of a run or of its fracture surface.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "analysis/claims/finite.h"
@@ -51,18 +53,35 @@ struct MetricPlace {
 /// Whether a point is in the box of the place, which has no end where no corner is given.
 bool is_in_box(const Vector3& point, const MetricPlace& at);
 
-/// A number that can be measured. Exactly one of the two functions exists; it takes a run or a surface, and returns what is not finite or
-/// throws NoNumber where there is no number: call it by `measure`.
+/// How a number is found in a run, or on a surface. It returns what is not finite or throws NoNumber where there is no number: call it by
+/// `measure`.
+using OfRun = std::function<double(const Results&, const MetricPlace&)>;
+using OfSurface = std::function<double(const Fracture&, const MetricPlace&)>;
+/// Names of keys of MetricPlace.
+using Keys = std::vector<std::string>;
+
+/// A number that can be measured.
 struct Metric {
   const char* name;
   const char* unit;
   Range range;  ///< where it can be: a condition that all of this range fulfils claims nothing
   const char* meaning;
-  double (*of_run)(const Results&, const MetricPlace&) = nullptr;
-  double (*of_surface)(const Fracture&, const MetricPlace&) = nullptr;
-  std::vector<std::string> needs = {};  ///< keys of MetricPlace
-  std::vector<std::string> knows = {};  ///< further keys, which have defaults
+  std::variant<OfRun, OfSurface> of;
+  Keys needs = {};
+  Keys knows = {};  ///< further keys, which have defaults
+
+  bool is_of_run() const { return std::holds_alternative<OfRun>(of); }
 };
+
+/// The last two words of a metric's entry.
+template <class... Names>
+Keys needs(Names... names) {
+  return {names...};
+}
+template <class... Names>
+Keys knows(Names... names) {
+  return {names...};
+}
 
 /// What was measured: a finite number, or why there is none.
 struct Measurement {

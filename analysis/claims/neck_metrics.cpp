@@ -103,22 +103,12 @@ double twist_gradient(const Results& run, const MetricPlace& at) {
 
 std::vector<Metric> neck_metrics() {
   return {
-      {"neck_radius",
-       "m",
-       non_negative,
-       "radius of the thinnest twentieth of the length along x, as a disc of its mean cross-section; 0 if it has parted",
-       neck_radius,
-       nullptr,
-       {},
-       {"time_s"}},
-      {"twist_gradient",
-       "deg/m",
-       non_negative,
-       "largest turn about the axis of x between neighbouring twentieths of the length, per length at the start",
-       twist_gradient,
-       nullptr,
-       {},
-       {"time_s"}},
+      {"neck_radius", "m", non_negative,
+       "radius of the thinnest twentieth of the length along x, as a disc of its mean cross-section; 0 if it has parted", neck_radius,
+       needs(), knows("time_s")},
+      {"twist_gradient", "deg/m", non_negative,
+       "largest turn about the axis of x between neighbouring twentieths of the length, per length at the start", twist_gradient, needs(),
+       knows("time_s")},
   };
 }
 

@@ -2,8 +2,10 @@
 // Metrics of what dries in a skin: how it shrinks and folds, and how it loses its water.
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <Eigen/Geometry>
+#include <Eigen/QR>
 #include <cmath>
+#include <numbers>
 #include <unordered_map>
 
 #include "analysis/claims/finite.h"
@@ -78,6 +80,58 @@ double fold_onset(const Results& run, const MetricPlace&) {
     before = now;
   }
   return std::nan("");
+}
+
+/// What a skin is folded out of a smooth shape: how far vertices have moved along their normals, without the best fit of that by
+/// polynomials of degree 4 in the place at rest, which on a ball are the waves of degree 4 or less. `areas`: of the vertices, at rest.
+Eigen::VectorXd folds_of(const Mesh& rest, const Mesh& now, const Eigen::VectorXd& areas) {
+  const auto n = static_cast<Eigen::Index>(rest.vertex_count());
+  const Eigen::Map<const Eigen::Matrix3Xd> before(rest.points.data(), 3, n), after(now.points.data(), 3, n);
+  Eigen::Matrix3Xd normals = Eigen::Matrix3Xd::Zero(3, n);
+  for (std::size_t c = 0; c < rest.cells.size(); c += 3) {
+    const auto [a, b, d] = std::array{rest.cells[c], rest.cells[c + 1], rest.cells[c + 2]};
+    const Eigen::Vector3d normal = (before.col(b) - before.col(a)).cross(before.col(d) - before.col(a));
+    for (const auto v : {a, b, d}) normals.col(v) += normal;
+  }
+  normals.colwise().normalize();
+  const Eigen::Vector3d middle = before.rowwise().mean();
+  const Eigen::Matrix3Xd q = (before.colwise() - middle) / (before.colwise() - middle).cwiseAbs().maxCoeff();
+  constexpr int k_degree = 4, k_terms = 35;
+  Eigen::MatrixXd smooth(n, k_terms);
+  Eigen::Index term = 0;
+  for (int i = 0; i <= k_degree; ++i)
+    for (int j = 0; i + j <= k_degree; ++j)
+      for (int k = 0; i + j + k <= k_degree; ++k)
+        smooth.col(term++) = q.row(0).array().pow(i) * q.row(1).array().pow(j) * q.row(2).array().pow(k);
+  const Eigen::VectorXd moved = (after - before).cwiseProduct(normals).colwise().sum(), weight = areas.cwiseSqrt();
+  const Eigen::VectorXd fit = (weight.asDiagonal() * smooth).colPivHouseholderQr().solve(weight.cwiseProduct(moved));
+  return moved - smooth * fit;
+}
+
+/// The wavelength of waves w with the mean square of their slope, at rest: 2 pi sqrt(int w^2 / int |grad w|^2).
+double fold_wavelength(const Results& run, const MetricPlace& at) {
+  const Mesh rest = skin_at(run, 0), now = skin_at(run, run.frame_at(at.time_s));
+  if (now.points.size() != rest.points.size()) throw InputError(fmt::format("{}: found skins of another mesh", run.folder().string()));
+  const auto n = static_cast<Eigen::Index>(rest.vertex_count());
+  const auto corner_of = [&](std::size_t c) {
+    return Eigen::Map<const Eigen::Vector3d>(&rest.points[3 * static_cast<std::size_t>(rest.cells[c])]);
+  };
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(n);
+  const auto for_each_triangle = [&](auto visit) {
+    for (std::size_t c = 0; c < rest.cells.size(); c += 3) {
+      const Eigen::Vector3d a = corner_of(c + 1) - corner_of(c), b = corner_of(c + 2) - corner_of(c);
+      visit(&rest.cells[c], a, b, a.cross(b).norm() / 2);
+    }
+  };
+  for_each_triangle([&](const std::int64_t* v, const auto&, const auto&, double area) {
+    for (int k = 0; k < 3; ++k) areas[v[k]] += area / 3;
+  });
+  const Eigen::VectorXd w = folds_of(rest, now, areas);
+  double slope_2 = 0;  // on a triangle |grad w|^2 = |w_a b - w_b a|^2 / (2 A)^2, with the rises w_a and w_b along its edges a and b
+  for_each_triangle([&](const std::int64_t* v, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double area) {
+    slope_2 += ((w[v[1]] - w[v[0]]) * b - (w[v[2]] - w[v[0]]) * a).squaredNorm() / (4 * area);
+  });
+  return 2 * std::numbers::pi * std::sqrt(areas.dot(w.cwiseAbs2()) / slope_2);
 }
 
 /// Boxes of flesh, to find whether some is near a point.
@@ -171,52 +225,30 @@ double water_left(const Results& run, const MetricPlace& at) { return gain_at(ru
 
 std::vector<Metric> skin_metrics() {
   return {
-      {"skin_area_gain", "1", non_negative, "area of the skin over that at the start", skin_area_gain, nullptr, {}, {"time_s"}},
-      {"skin_slack",
-       "1",
-       non_negative,
+      {"skin_area_gain", "1", non_negative, "area of the skin over that at the start", skin_area_gain, needs(), knows("time_s")},
+      {"skin_slack", "1", non_negative,
        "the same over (volume over that at the start)^(2/3): 1 for a skin that shrinks along with its flesh, more for one that must fold",
-       skin_slack,
-       nullptr,
-       {},
-       {"time_s"}},
-      {"skin_curvature",
-       "1/m",
-       non_negative,
+       skin_slack, needs(), knows("time_s")},
+      {"skin_curvature", "1/m", non_negative,
        "root mean square over the area of the skin's curvature, taken from its bending: what was curved at the start counts as flat",
-       skin_curvature,
-       nullptr,
-       {},
-       {"time_s"}},
+       skin_curvature, needs(), knows("time_s")},
       {"fold_onset", "1", fraction, "share of the water that is gone when the skin's curvature reaches 15 % of that at the end",
        fold_onset},
-      {"skin_off_flesh",
-       "1",
-       fraction,
-       "share of the skin's vertices that are more than dx from the next particle of flesh",
-       skin_off_flesh,
-       nullptr,
-       {},
-       {"time_s"}},
-      {"skin_dryness",
-       "1",
-       non_negative,
+      {"fold_wavelength", "m", non_negative,
+       "wavelength of the folds of one closed skin, as lengths were before it shrank: of what it has moved along its normals, less the "
+       "best fit by polynomials of degree 4",
+       fold_wavelength, needs(), knows("time_s")},
+      {"skin_off_flesh", "1", fraction, "share of the skin's vertices that are more than dx from the next particle of flesh",
+       skin_off_flesh, needs(), knows("time_s")},
+      {"skin_dryness", "1", non_negative,
        "mean saturation at the skin over that of the flesh that started in the box from low_m to high_m: below 1 if it dries from outside",
-       skin_dryness,
-       nullptr,
-       {"low_m", "high_m"},
-       {"time_s"}},
-      {"height_over_thickness",
-       "1",
-       non_negative,
-       "height over that of a body that has shrunk to the same volume evenly: 1 for a slice that stays flat",
-       height_over_thickness,
-       nullptr,
-       {},
-       {"time_s"}},
+       skin_dryness, needs("low_m", "high_m"), knows("time_s")},
+      {"height_over_thickness", "1", non_negative,
+       "height over that of a body that has shrunk to the same volume evenly: 1 for a slice that stays flat", height_over_thickness,
+       needs(), knows("time_s")},
       {"drying_straightness", "1", fraction, "R^2 of a straight line through ln(water left) over time, while a twentieth or more is left",
        drying_straightness},
-      {"water_left", "1", non_negative, "water over the water at the start", water_left, nullptr, {}, {"time_s"}},
+      {"water_left", "1", non_negative, "water over the water at the start", water_left, needs(), knows("time_s")},
   };
 }
 

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/pictures/view.h"
@@ -12,7 +13,7 @@
 
 namespace bake::render {
 
-using cli::Action, cli::add_threads_option, cli::k_success, cli::whole_number;
+using cli::Action, cli::add_threads_option, cli::on_request, cli::whole_number;
 
 void add_picture_command(CLI::App& app, Action& action);
 void add_slice_command(CLI::App& app, Action& action);
@@ -41,6 +42,9 @@ struct PictureOptions {
 
 /// `threads`, or the number of the machine's threads if it is 0.
 int thread_count(int threads);
+
+/// Width and height of "640x480", given by that option. Throws InputError.
+std::pair<int, int> size_in_pixels(const std::string& option, const std::string& size);
 
 /// Throws InputError unless the file's name ends in `ending`.
 void check_ending(const std::filesystem::path& file, const char* ending);

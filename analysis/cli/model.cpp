@@ -92,13 +92,30 @@ nlohmann::json stops_of(const std::vector<BrowningStop>& ramp) {
   return stops;
 }
 
-int make_model(const ModelOptions& options) {
+/// The particles of a frame, completed by the mirror images of the view's first object.
+Particles read_completed(const fs::path& frame, const ModelOptions& options, const std::string& mirrored) {
+  Shown shown(frame, options.results, thread_count(options.threads));
+  if (!shown.particles().ids.empty())
+    for (const char axis : mirrored) shown.mirror(axis - 'x');
+  return shown.particles();
+}
+
+/// Gives each mirror image identities of its own.
+void number_images(Particles& particles, std::size_t images) {
+  constexpr int k_bits = 40;  // more than any run has particles
+  const std::size_t count = particles.ids.size() / images;
+  for (std::size_t i = count; i < particles.ids.size(); ++i) particles.ids[i] += static_cast<std::int64_t>(i / count) << k_bits;
+}
+
+void make_model(const ModelOptions& options) {
   const View view = read_view(options.view);
+  const std::string& mirrored = view.objects.front().mirrored;
+  const std::size_t images = std::size_t{1} << mirrored.size();
   const int threads = thread_count(options.threads);
   fs::create_directories(options.out);
   const auto count_in = [&](int frame) { return FrameReader(options.results / "frames" / frame_name(frame)).particles(); };
   const std::size_t count = std::max(count_in(options.frames.front()), count_in(options.frames.back()));  // some may be poured
-  const double share = std::min(1.0, options.particles / static_cast<double>(count));
+  const double share = std::min(1.0, options.particles / static_cast<double>(images * count));
   const nlohmann::json look{{"skin", stops_of(view.crust.skin)}, {"crumb", stops_of(view.crust.crumb)}};
   write_text_atomically(options.out / "look.json", look.dump() + "\n");
   Histories histories;
@@ -107,16 +124,16 @@ int make_model(const ModelOptions& options) {
   std::size_t done = 0;
   for (const int number : options.frames) {
     const fs::path frame = options.results / "frames" / frame_name(number);
-    const Particles particles = read_particles_of_frame(frame);
+    Particles particles = read_completed(frame, options, mirrored);
     if (particles.ids.empty()) throw InputError(fmt::format("{}: has no column id, allowed: a frame of bake run", frame.string()));
     const bool has_heat = particles.find("temperature");
     const std::vector<MeshField> fields = fields_of(particles, has_heat ? &histories.at(options.results, view.browning, number) : nullptr);
+    number_images(particles, images);
     write_particles(options.out / ("particles_" + frame_name(number)), particles, fields, share);
     write_mesh(options.out / ("surface_" + frame_name(number)), surface_of(particles, fields, spacing_m, options.triangles, threads));
     meter(static_cast<double>(++done) / static_cast<double>(options.frames.size()));
   }
   meter.clear();
-  return k_success;
 }
 
 }  // namespace
@@ -124,14 +141,15 @@ int make_model(const ModelOptions& options) {
 void add_model_command(CLI::App& app, Action& action) {
   const auto options = std::make_shared<ModelOptions>();
   CLI::App* command = app.add_subcommand("model", "Surfaces and particles of some frames, small enough for a page on which they turn");
-  command->add_option("view", options->view, "whose [browning] colours them: a TOML file")->required();
+  command->add_option("view", options->view, "whose [browning] colours them, and whose first [[object]] may be mirrored: a TOML file")
+      ->required();
   command->add_option("results", options->results, "folder of the run")->required();
   command->add_option("--frames", options->frames, "numbers of the frames, rising: 0,40,80")->required()->delimiter(',');
   command->add_option("--out", options->out, "folder of surface_<frame>.hdf, particles_<frame>.hdf and the colours, look.json")->required();
   command->add_option("--triangles", options->triangles, "most triangles of a surface [18000]")->transform(whole_number(100, 1000000));
   command->add_option("--particles", options->particles, "most particles of a frame [8000]")->transform(whole_number(1, 100000000));
   add_threads_option(*command, options->threads);
-  command->callback([&action, options] { action = [options] { return make_model(*options); }; });
+  on_request(*command, action, [options] { make_model(*options); });
 }
 
 void add_jpeg_command(CLI::App& app, Action& action) {
@@ -145,15 +163,12 @@ void add_jpeg_command(CLI::App& app, Action& action) {
   command->add_option("--out", options->out, "the picture, a .jpg file")->required();
   command->add_option("--width", options->width, "most pixels across [1600]")->transform(whole_number(16, 16384));
   command->add_option("--quality", options->quality, "1 to 100 [82]")->transform(whole_number(1, 100));
-  command->callback([&action, options] {
-    action = [options] {
-      check_ending(options->out, ".jpg");
-      const Image image = read_png(options->picture);
-      const int width = std::min(image.width, options->width);
-      const int height = std::max(1, static_cast<int>(std::lround(static_cast<double>(image.height) * width / image.width)));
-      write_jpeg(options->out, width == image.width ? image : scaled(image, width, height), options->quality);
-      return k_success;
-    };
+  on_request(*command, action, [options] {
+    check_ending(options->out, ".jpg");
+    const Image image = read_png(options->picture);
+    const int width = std::min(image.width, options->width);
+    const int height = std::max(1, static_cast<int>(std::lround(static_cast<double>(image.height) * width / image.width)));
+    write_jpeg(options->out, width == image.width ? image : scaled(image, width, height), options->quality);
   });
 }
 

@@ -51,35 +51,14 @@ std::string numbered_pictures(const fs::path& folder) {
 bool film_from(const fs::path& folder, std::size_t count, double rate, const fs::path& film) {
   AtomicFile file(film);
   // H.264 needs an even number of pixels, and players assume the colours of television unless the film states them
-  const ChildEnd end = run_child({"ffmpeg",
-                                  "-y",
-                                  "-loglevel",
-                                  "error",
-                                  "-framerate",
-                                  fmt::format("{:g}", rate),
-                                  "-i",
-                                  numbered_pictures(folder),
-                                  "-frames:v",
-                                  std::to_string(count),
-                                  "-vf",
-                                  "crop=trunc(iw/2)*2:trunc(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv",
-                                  "-c:v",
-                                  "libx264",
-                                  "-crf",
-                                  "18",
-                                  "-pix_fmt",
-                                  "yuv420p",
-                                  "-colorspace",
-                                  "bt709",
-                                  "-color_primaries",
-                                  "bt709",
-                                  "-color_trc",
-                                  "bt709",
-                                  "-movflags",
-                                  "+faststart",
-                                  "-f",
-                                  "mp4",
-                                  "file:" + film.string() + ".part"});
+  const std::string rate_per_s = fmt::format("{:g}", rate), from = numbered_pictures(folder), frames = std::to_string(count);
+  const std::string look = "crop=trunc(iw/2)*2:trunc(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv",
+                    to = "file:" + film.string() + ".part";
+  const ChildEnd end = run_child({"ffmpeg", "-y",         "-loglevel", "error",     "-framerate",  rate_per_s, "-i",
+                                  from,     "-frames:v",  frames,      "-vf",       look,          "-c:v",     "libx264",
+                                  "-crf",   "18",         "-pix_fmt",  "yuv420p",   "-colorspace", "bt709",    "-color_primaries",
+                                  "bt709",  "-color_trc", "bt709",     "-movflags", "+faststart",  "-f",       "mp4",
+                                  to});
   if (end.start_error != 0) return false;
   if (end.exit_code != 0) throw RunError(fmt::format("ffmpeg failed; the pictures are in {}", quotable_path(folder)));
   file.commit();
@@ -103,7 +82,7 @@ Stage stage_of(const View& view, const std::vector<fs::path>& files, const fs::p
   return set_stage(view, points);
 }
 
-int make_movie(const Options& options) {
+void make_movie(const Options& options) {
   const View view = options.read();
   const int threads = thread_count(options.threads);
   const std::vector<fs::path> files = thinned(files_in(options.folder), options.every);
@@ -123,7 +102,6 @@ int make_movie(const Options& options) {
     fmt::print("{}\n", film.string());
   else
     fmt::print("{} pictures in {}; to get an mp4, apt-get install ffmpeg\n", files.size(), options.out.string());
-  return k_success;
 }
 
 }  // namespace
@@ -136,7 +114,7 @@ void add_movie_command(CLI::App& app, Action& action) {
   command->add_option("--out", options->out, "folder of the pictures")->required();
   command->add_option("--every", options->every, "take every n-th frame, and the last [1]")->transform(whole_number(1, 1000000));
   command->add_option("--rate", options->rate, "pictures per second of the mp4 [24]")->check(CLI::PositiveNumber);
-  command->callback([&action, options] { action = [options] { return make_movie(*options); }; });
+  on_request(*command, action, [options] { make_movie(*options); });
 }
 
 }  // namespace bake::render

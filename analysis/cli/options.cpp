@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <thread>
+#include <tuple>
 
 #include "analysis/cli/commands.h"
 #include "solver/core/errors.h"
@@ -11,17 +12,25 @@
 namespace bake::render {
 namespace {
 
-int pixels_in(const std::string& size, std::string_view digits) {
+/// The number, or 0 where there is none that is allowed.
+int pixels_in(std::string_view digits) {
   int value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size() || !pixels.contains(value))
-    throw InputError(fmt::format("--size: found '{}', allowed: WIDTHxHEIGHT, each {}, as in 1280x960", quotable(size), pixels.words));
-  return value;
+  return error == std::errc() && end == digits.data() + digits.size() && pixels.contains(value) ? value : 0;
 }
 
 }  // namespace
 
 int thread_count(int threads) { return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+std::pair<int, int> size_in_pixels(const std::string& option, const std::string& size) {
+  const std::size_t x = size.find('x');
+  const int width = pixels_in(std::string_view(size).substr(0, x));
+  const int height = x == std::string::npos ? 0 : pixels_in(std::string_view(size).substr(x + 1));
+  if (width == 0 || height == 0)
+    throw InputError(fmt::format("{}: found '{}', allowed: WIDTHxHEIGHT, each {}, as in 1280x960", option, quotable(size), pixels.words));
+  return {width, height};
+}
 
 void check_ending(const std::filesystem::path& file, const char* ending) {
   if (file.extension() != ending)
@@ -44,9 +53,7 @@ View PictureOptions::read() const {
   View result = view.empty() ? parse_view("", "command line", overrides) : read_view(view, overrides);
   if (samples > 0) result.picture.samples = samples;
   if (size.empty()) return result;
-  const std::size_t x = size.find('x');
-  result.picture.width_px = pixels_in(size, std::string_view(size).substr(0, x));
-  result.picture.height_px = pixels_in(size, x == std::string::npos ? std::string_view() : std::string_view(size).substr(x + 1));
+  std::tie(result.picture.width_px, result.picture.height_px) = size_in_pixels("--size", size);
   return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -27,15 +28,12 @@ void add_picture_command(CLI::App& app, Action& action) {
   options->add_to(*command);
   command->add_option("files", options->files, "frames or meshes, one for each [[object]] of the view")->required();
   command->add_option("--out", options->out, "the picture, a PNG file")->required();
-  command->callback([&action, options] {
-    action = [options] {
-      check_ending(options->out, ".png");
-      Histories histories;
-      Meter meter(options->out.filename().string());
-      write_png(options->out, take_picture(options->read(), options->files, options->results_of(options->files.size()), histories,
-                                           thread_count(options->threads), [&](double share) { meter(share); }));
-      return k_success;
-    };
+  on_request(*command, action, [options] {
+    check_ending(options->out, ".png");
+    Histories histories;
+    Meter meter(options->out.filename().string());
+    write_png(options->out, take_picture(options->read(), options->files, options->results_of(options->files.size()), histories,
+                                         thread_count(options->threads), [&](double share) { meter(share); }));
   });
 }
 
@@ -79,41 +77,71 @@ void add_slice_command(CLI::App& app, Action& action) {
   command->add_option("--by", options->by, "the field that is shown, instead of the view's [[panel]]s");
   command->add_option("--cut", options->cut, "y=0: what lies below on that axis is taken away; without a view or this nothing is");
   command->add_option("--out", options->out, "the picture, a PNG file")->required();
-  command->callback([&action, options] {
-    action = [options] {
-      check_ending(options->out, ".png");
-      options->put_in();
-      write_png(options->out,
-                take_slices(options->read(), options->files, options->results_of(options->files.size()), thread_count(options->threads)));
-      return k_success;
-    };
+  on_request(*command, action, [options] {
+    check_ending(options->out, ".png");
+    options->put_in();
+    write_png(options->out,
+              take_slices(options->read(), options->files, options->results_of(options->files.size()), thread_count(options->threads)));
   });
 }
 
+namespace {
+
+struct MontageOptions {
+  std::vector<std::filesystem::path> pictures;
+  std::vector<std::string> labels, rows;
+  std::string cell = "640x480";
+  std::filesystem::path out;
+  int columns = 0;
+
+  /// The pictures where the rows have the names of their files.
+  Image in_rows() const {
+    const Layout layout = layout_of(rows);
+    if (!layout.problem.empty()) throw InputError("--row: " + layout.problem);
+    if (layout.places.size() != pictures.size())
+      throw InputError(fmt::format("--row: found {} names for {} pictures, allowed: one for each", layout.places.size(), pictures.size()));
+    std::vector<Image> images;
+    for (const Place& place : layout.places) {
+      const auto is_named = [&](const std::filesystem::path& file) { return file.stem() == place.name; };
+      const auto file = std::find_if(pictures.begin(), pictures.end(), is_named);
+      if (file == pictures.end())
+        throw InputError(fmt::format("--row: found '{}', allowed: names of the pictures' files, without .png", quotable(place.name)));
+      images.push_back(read_png(*file));
+    }
+    const auto [width, height] = size_in_pixels("--cell", cell);
+    return tiled(images, layout, width, height);
+  }
+
+  Image side_by_side() const {
+    if (!labels.empty() && labels.size() != pictures.size())
+      throw InputError(
+          fmt::format("--label: found {} labels for {} pictures, allowed: one for each or none", labels.size(), pictures.size()));
+    std::vector<Image> images;
+    for (const auto& picture : pictures) images.push_back(read_png(picture));
+    return montage(images, labels, columns > 0 ? columns : static_cast<int>(images.size()));
+  }
+};
+
+}  // namespace
+
 void add_montage_command(CLI::App& app, Action& action) {
-  struct Options {
-    std::vector<std::filesystem::path> pictures;
-    std::vector<std::string> labels;
-    std::filesystem::path out;
-    int columns = 0;
-  };
+  using Options = MontageOptions;
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("montage", "Pictures side by side, with labels");
+  CLI::App* command = app.add_subcommand("montage", "Pictures side by side with labels, or as tiles of a grid");
   command->add_option("pictures", options->pictures, "PNG files")->required();
   command->add_option("--out", options->out, "the montage, a PNG file")->required();
-  command->add_option("--label", options->labels, "text below a picture; one for each, in order")->allow_extra_args(false);
-  command->add_option("--columns", options->columns, "pictures in a row [all]")->transform(whole_number(1, 1000));
-  command->callback([&action, options] {
-    action = [options] {
-      check_ending(options->out, ".png");
-      if (!options->labels.empty() && options->labels.size() != options->pictures.size())
-        throw InputError(fmt::format("--label: found {} labels for {} pictures, allowed: one for each or none", options->labels.size(),
-                                     options->pictures.size()));
-      std::vector<Image> images;
-      for (const auto& picture : options->pictures) images.push_back(read_png(picture));
-      write_png(options->out, montage(images, options->labels, options->columns > 0 ? options->columns : static_cast<int>(images.size())));
-      return k_success;
-    };
+  auto* label = command->add_option("--label", options->labels, "text below a picture; one for each, in order")->allow_extra_args(false);
+  auto* columns = command->add_option("--columns", options->columns, "pictures in a row [all]")->transform(whole_number(1, 1000));
+  auto* row = command
+                  ->add_option("--row", options->rows,
+                               "\"one two two\": a row of a grid, by the names of the files; a picture fills all cells with its name")
+                  ->allow_extra_args(false)
+                  ->excludes(label)
+                  ->excludes(columns);
+  command->add_option("--cell", options->cell, "with --row: size of a cell in pixels [640x480]")->needs(row);
+  on_request(*command, action, [options] {
+    check_ending(options->out, ".png");
+    write_png(options->out, options->rows.empty() ? options->side_by_side() : options->in_rows());
   });
 }
 
@@ -129,24 +157,15 @@ void add_surface_command(CLI::App& app, Action& action) {
   command->add_option("--out", options->out, "the surface, an .hdf file")->required();
   command->add_option("--spacing", options->spacing_m, "typical distance of particles in m [measured]")->check(CLI::PositiveNumber);
   add_threads_option(*command, options->threads);
-  command->callback([&action, options] {
-    action = [options] {
-      check_ending(options->out, ".hdf");
-      write_mesh(options->out,
-                 splat_surface(read_particles_of_frame(options->frame), {options->spacing_m, thread_count(options->threads)}));
-      return k_success;
-    };
+  on_request(*command, action, [options] {
+    check_ending(options->out, ".hdf");
+    write_mesh(options->out, splat_surface(read_particles_of_frame(options->frame), {options->spacing_m, thread_count(options->threads)}));
   });
 }
 
 void add_explain_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("explain", "All keys of a view file");
-  command->callback([&action] {
-    action = [] {
-      fmt::print("{}", explain_view());
-      return k_success;
-    };
-  });
+  on_request(*command, action, [] { fmt::print("{}", explain_view()); });
 }
 
 }  // namespace bake::render

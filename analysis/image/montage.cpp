@@ -34,4 +34,32 @@ Image montage(const std::vector<Image>& pictures, const std::vector<std::string>
   return image;
 }
 
+namespace {
+
+/// The middle of the picture at the scale at which it just covers that size.
+Image covering(const Image& picture, int width, int height) {
+  const double scale = std::max(static_cast<double>(width) / picture.width, static_cast<double>(height) / picture.height);
+  const int w = std::max(width, static_cast<int>(std::lround(scale * picture.width)));
+  const int h = std::max(height, static_cast<int>(std::lround(scale * picture.height)));
+  Image cut(width, height, Colour::Ones());
+  paste(cut, w == picture.width && h == picture.height ? picture : scaled(picture, w, h), (width - w) / 2, (height - h) / 2);
+  return cut;
+}
+
+}  // namespace
+
+Image tiled(const std::vector<Image>& pictures, const Layout& layout, int cell_width, int cell_height) {
+  if (pictures.empty() || pictures.size() != layout.places.size())
+    throw std::invalid_argument("tiles need a picture for each place of the layout");
+  const int gap = std::max(2, cell_height / 60);
+  const auto extent = [gap](int cells, int cell) { return cells * (cell + gap) - gap; };
+  Image image(extent(layout.columns, cell_width), extent(layout.rows, cell_height), Colour::Ones());
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const Place& place = layout.places[i];
+    paste(image, covering(pictures[i], extent(place.columns, cell_width), extent(place.rows, cell_height)),
+          place.column * (cell_width + gap), place.row * (cell_height + gap));
+  }
+  return image;
+}
+
 }  // namespace bake

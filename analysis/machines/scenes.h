@@ -5,11 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "solver/run/simulation.h"
 #include "solver/scene/settings.h"
-
-namespace bake {
-struct Scene;
-}
 
 namespace bake::bench {
 
@@ -48,5 +45,11 @@ Scene elastic_block(Precision precision, int cells);
 /// A grape of 28 thousand particles that dries, bare or in a skin of 7 thousand triangles: 0.26 a particle, as in the paper's heap of
 /// grapes (96 to 346 thousand).
 Scene grape(Precision precision, bool in_skin);
+
+/// Takes so many steps, of which none is shortened to hit a time.
+inline void take_steps(Simulation& simulation, int steps) {
+  constexpr double never = 1e6;  // [s]
+  simulation.advance(never, never, [&] { return --steps > 0; });
+}
 
 }  // namespace bake::bench

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/pictures/shown.h"
 #include "analysis/surface/mesh_tools.h"
@@ -133,7 +132,8 @@ class Loader {
     return inside ? of(c.crumb_grain, c.crumb_bump, c.crumb_mottle) : of(c.grain, c.bump, c.mottle);
   }
   Gloss gloss(bool inside) const {
-    return inside ? Gloss{} : Gloss{static_cast<float>(settings_.coat), static_cast<float>(settings_.roughness)};
+    if (inside) return {};
+    return {static_cast<float>(settings_.coat), static_cast<float>(settings_.roughness), static_cast<float>(settings_.translucent_m)};
   }
 
   TriangleObject triangles(const Part& part, double size, double low, double high) const {

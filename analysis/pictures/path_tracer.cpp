@@ -111,13 +111,18 @@ class Reflection {
     Colour weight;
   };
   Bounce bounce(const Vec3f& n, const Vec3f& in, Sample2 s, float choice) const {
-    const float cos_in = std::max(n.dot(in), 1e-4f);
-    const float chance = coat_ > 0 ? std::clamp(2 * coat_ * fresnel(cos_in), 0.1f, 0.7f) : 0;
+    const float chance = chance_of_mirror(n, in);
     if (choice < chance) return mirror(n, in, s, 1 / chance);
     const Vec3f out = cosine_direction(n, s);
-    const float below = below_coat(cos_in) * below_coat(n.dot(out)) / (1 - coat_ * k_mean_fresnel);
+    const float below = share_below(n, in) * below_coat(n.dot(out)) / (1 - coat_ * k_mean_fresnel);
     return {out, albedo_ * (below / (1 - chance))};
   }
+  /// How often a bounce is one of the coat.
+  float chance_of_mirror(const Vec3f& n, const Vec3f& in) const {
+    return coat_ > 0 ? std::clamp(2 * coat_ * fresnel(n.dot(in)), 0.1f, 0.7f) : 0;
+  }
+  /// What the coat lets through.
+  float share_below(const Vec3f& n, const Vec3f& in) const { return below_coat(std::max(n.dot(in), 1e-4f)); }
 
  private:
   static constexpr float k_normal_fresnel = 0.04f;                                         ///< refractive index 1.5
@@ -157,6 +162,13 @@ class Reflection {
   float coat_;
   float alpha2_;
 };
+
+/// Albedo of the scatterings inside half a space that shows `albedo` when they go equally to all sides (fit of Chiang, Kutz and Burley
+/// 2016, "Practical and controllable subsurface scattering for production path tracing").
+Colour albedo_inside(const Colour& albedo) {
+  const auto a = albedo.array();
+  return 1 - (a * (-5.09406f + a * (2.61188f - 4.31805f * a))).exp();
+}
 
 /// Where a ray ends, with all that is needed to go on.
 struct Hit {
@@ -229,13 +241,14 @@ struct PathTracer::Scene {
   }
   void commit();
 
-  bool intersect(const Vec3f& from, const Vec3f& towards, Hit& hit) const;
+  bool intersect(const Vec3f& from, const Vec3f& towards, Hit& hit, float farthest = k_far) const;
   bool visible(const Vec3f& from, const Vec3f& towards, float distance) const;
   void fill_hit(const TriangleObject& object, const RTCHit& found, Hit& hit) const;
   void fill_hit(const SphereObject& object, const RTCHit& found, Hit& hit) const;
 
   Colour sky_light(const Vec3f& direction) const { return sky->below + (direction.z() + 1) / 2 * (sky->above - sky->below); }
   Colour lamp_light(const Hit& hit, const Reflection& reflection, const Vec3f& in, Sample2 s) const;
+  bool wander(Hit& hit, Colour& share, Random& random) const;
   Colour path(Vec3f from, Vec3f towards, Sample2 first_lamp, Sample2 first_bounce, int most_bounces, Random& random) const;
 };
 
@@ -263,9 +276,9 @@ void PathTracer::Scene::fill_hit(const SphereObject& object, const RTCHit& found
   hit.albedo = object.albedos[found.primID];
 }
 
-bool PathTracer::Scene::intersect(const Vec3f& from, const Vec3f& towards, Hit& hit) const {
+bool PathTracer::Scene::intersect(const Vec3f& from, const Vec3f& towards, Hit& hit, float farthest) const {
   RTCRayHit query{};
-  query.ray = {from.x(), from.y(), from.z(), 0, towards.x(), towards.y(), towards.z(), 0, k_far, ~0u, 0, 0};
+  query.ray = {from.x(), from.y(), from.z(), 0, towards.x(), towards.y(), towards.z(), 0, farthest, ~0u, 0, 0};
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
@@ -304,6 +317,39 @@ Colour PathTracer::Scene::lamp_light(const Hit& hit, const Reflection& reflectio
   return reflection.towards(hit.normal, in, out).cwiseProduct(lamp->radiance) * (cosine * area / distance2);
 }
 
+/// The way of light below the surface at `hit`: free flights between scatterings. `hit` becomes where it comes out, with an albedo of 1,
+/// and `share` is multiplied by what was not absorbed. False if nothing comes out.
+bool PathTracer::Scene::wander(Hit& hit, Colour& share, Random& random) const {
+  constexpr int k_most_flights = 256;
+  const Colour scattered = albedo_inside(hit.albedo);
+  const float u = random.uniform();
+  Vec3f at = hit.at - 2 * clearance * hit.face_normal, towards = cosine_direction(-hit.face_normal, {u, random.uniform()});
+  Colour left = Colour::Ones();
+  for (int flights = 0; flights < k_most_flights; ++flights) {
+    const float flight = -hit.gloss.depth * std::log(1 - random.uniform());
+    Hit wall;
+    wall.seen = false;
+    if (intersect(at, towards, wall, flight)) {
+      wall.at -= 2 * clearance * wall.face_normal;
+      wall.face_normal = -wall.face_normal;
+      wall.normal = -wall.normal;
+      wall.albedo = Colour::Ones();
+      wall.gloss = {};
+      hit = wall;
+      share = share.cwiseProduct(left);
+      return true;
+    }
+    at += flight * towards;
+    left = left.cwiseProduct(scattered);
+    const float goes_on = std::min(1.0f, 4 * left.maxCoeff());  // Russian roulette
+    if (random.uniform() >= goes_on) return false;
+    left /= goes_on;
+    const float z = 2 * random.uniform() - 1, angle = 2 * k_pi * random.uniform(), r = std::sqrt(1 - z * z);
+    towards = {r * std::cos(angle), r * std::sin(angle), z};
+  }
+  return false;
+}
+
 /// Light that comes along a path: at each hit straight from the lamp, and from the sky where it leaves the scene.
 Colour PathTracer::Scene::path(Vec3f from, Vec3f towards, Sample2 first_lamp, Sample2 first_bounce, int most_bounces,
                                Random& random) const {
@@ -317,11 +363,21 @@ Colour PathTracer::Scene::path(Vec3f from, Vec3f towards, Sample2 first_lamp, Sa
     hit.seen = bounce == 0;
     if (!intersect(from, towards, hit)) return light + share.cwiseProduct(bounce == 0 ? sky->backdrop : sky_light(towards));
     if (bounce == most_bounces) return light;
-    const Reflection reflection(hit.albedo, hit.gloss);
+    const bool translucent = bounce == 0 && hit.gloss.depth > 0;
+    const Reflection reflection(translucent ? Colour::Zero() : hit.albedo, hit.gloss);
     const Vec3f in = -towards;
     light += share.cwiseProduct(lamp_light(hit, reflection, in, bounce == 0 ? first_lamp : sample()));
     const Sample2 s = bounce == 0 ? first_bounce : sample();
-    const auto [out, weight] = reflection.bounce(hit.normal, in, s, random.uniform());
+    const float choice = random.uniform();
+    Reflection::Bounce next = reflection.bounce(hit.normal, in, s, choice);
+    if (translucent && choice >= reflection.chance_of_mirror(hit.normal, in)) {
+      share *= reflection.share_below(hit.normal, in) / (1 - reflection.chance_of_mirror(hit.normal, in));
+      if (!wander(hit, share, random)) return light;
+      const Reflection outlet(Colour::Ones(), Gloss{});
+      light += share.cwiseProduct(lamp_light(hit, outlet, hit.normal, sample()));
+      next = outlet.bounce(hit.normal, hit.normal, sample(), 1);
+    }
+    const auto& [out, weight] = next;
     share = share.cwiseProduct(weight);
     if (hit.face_normal.dot(out) <= 0 || share.maxCoeff() <= 0) return light;
     if (bounce >= 1) {  // Russian roulette: end dim paths, count the others for them

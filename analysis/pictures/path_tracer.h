@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Photo-like pictures: a small path tracer on Embree's ray queries. Needs no display.
 //
-// Surfaces are diffuse under a rough dielectric coat. Light comes from one square lamp (sampled directly, not seen by rays) and
-// from the sky (met by rays that leave the scene). The picture is an unbiased estimate but for the bound on bounces, and the same
-// for any number of threads: every pixel has its own random numbers, and the tree over the scene is built by one thread.
+// Surfaces are diffuse under a rough dielectric coat, or translucent: the light that the camera sees has wandered about inside. Light
+// comes from one square lamp (sampled directly, not seen by rays) and from the sky (met by rays that leave the scene). The picture is an
+// unbiased estimate but for the bound on bounces, and the same for any number of threads: every pixel has its own random numbers, and the
+// tree over the scene is built by one thread.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,6 +32,7 @@ struct Grain {
 struct Gloss {
   float coat = 0;         ///< share of the surface that is coated, 0 to 1
   float roughness = 0.5;  ///< of the coat, 0 (mirror; at least 0.05 is used) to 1
+  float depth = 0;        ///< mean free path of light inside, where the camera sees the surface [m]; 0: opaque. Surfaces must be closed
 };
 
 struct TriangleObject {

@@ -6,8 +6,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
 #include <numbers>
+#include <set>
 
 #include "solver/core/errors.h"
 #include "solver/scene/entry.h"
@@ -121,7 +122,7 @@ Extent extent_of(const std::vector<Vec3f>& points, const Camera& camera, const P
 }  // namespace
 
 Camera fitted_camera(const std::vector<Vec3f>& points, const Vec3f& direction, double angle_of_view_deg, double aspect, double margin,
-                     double below) {
+                     double below, double above) {
   Camera camera;
   camera.up = up_for(direction);
   camera.half_height = static_cast<float>(std::tan(angle_of_view_deg / 2 * std::numbers::pi / 180));
@@ -129,7 +130,7 @@ Camera fitted_camera(const std::vector<Vec3f>& points, const Vec3f& direction, d
   // A point at (x, y, z) along right, up, back is inside the left plane of a camera at (cx, cy, d) if cx - x <= t (d - z). So the
   // planes ask for the largest t z - x and t z + x, and the camera touches them where both are equal.
   const double tx = camera.half_height * aspect * (1 - 2 * margin);
-  const double top = camera.half_height * (1 - 2 * margin), bottom = camera.half_height * (1 - 2 * margin - 2 * below);
+  const double top = camera.half_height * (1 - 2 * margin - 2 * above), bottom = camera.half_height * (1 - 2 * margin - 2 * below);
   double left_most = -k_infinity, right_most = -k_infinity, lowest = -k_infinity, highest = -k_infinity;
   for (const Vec3f& p : points) {
     const double x = right.dot(p), y = up.dot(p), z = back.dot(p);
@@ -190,19 +191,40 @@ std::vector<Vec3f> points_of(const Composition& composition) {
   return points;
 }
 
+namespace {
+
+/// Height of letters beside colour bars [pixels].
+int letters_of_bars(int height_px) { return std::clamp(height_px / 36, 8, 48); }
+
+/// Share of the picture that the bars of the view's objects take, as far as its ranges tell which are alike.
+double height_of_bars(const View& view) {
+  if (!view.picture.colour_bar) return 0;
+  std::vector<const ObjectSettings*> different;
+  const auto is_like = [](const ObjectSettings& a, const ObjectSettings& b) {
+    return a.range_low && a.range_high && a.field == b.field && a.map == b.map && a.backwards == b.backwards &&
+           a.range_low == b.range_low && a.range_high == b.range_high;
+  };
+  for (const ObjectSettings& object : view.objects)
+    if (object.paint == Paint::field &&
+        std::none_of(different.begin(), different.end(), [&](const ObjectSettings* other) { return is_like(*other, object); }))
+      different.push_back(&object);
+  const int text = letters_of_bars(view.picture.height_px), count = static_cast<int>(different.size());
+  constexpr double k_most = 0.3;  // beyond, bars lie over the picture
+  return std::min(k_most, static_cast<double>(count * (colour_bar_height(text) + text / 2)) / view.picture.height_px);
+}
+
+}  // namespace
+
 Stage set_stage(const View& view, const std::vector<Vec3f>& points) {
-  Eigen::Array3f low = Eigen::Array3f::Constant(std::numeric_limits<float>::max()), high = -low;
-  for (const Vec3f& p : points) {
-    low = low.min(p.array());
-    high = high.max(p.array());
-  }
-  Stage stage{{}, (low + high) / 2, 0, view.ground.height_m ? static_cast<float>(*view.ground.height_m) : low.z()};
+  Eigen::AlignedBox3f box;
+  for (const Vec3f& p : points) box.extend(p);
+  Stage stage{{}, box.center(), 0, view.ground.height_m ? static_cast<float>(*view.ground.height_m) : box.min().z()};
   for (const Vec3f& p : points) stage.radius = std::max(stage.radius, (p - stage.centre).norm());
   const double aspect = static_cast<double>(view.picture.width_px) / view.picture.height_px;
   const bool titled = std::any_of(view.objects.begin(), view.objects.end(), [](const ObjectSettings& o) { return !o.title.empty(); });
   const CameraSettings& camera = view.camera;
-  stage.camera =
-      fitted_camera(points, as_vec3f(camera.direction), camera.angle_of_view_deg, aspect, camera.margin, titled ? 1.6 * k_title_height : 0);
+  stage.camera = fitted_camera(points, as_vec3f(camera.direction), camera.angle_of_view_deg, aspect, camera.margin,
+                               titled ? 1.6 * k_title_height : 0, height_of_bars(view));
   if (!camera.fit) {
     stage.camera.eye = as_vec3f(*camera.eye_m);
     stage.camera.target = as_vec3f(*camera.target_m);
@@ -213,13 +235,39 @@ Stage set_stage(const View& view, const std::vector<Vec3f>& points) {
 
 namespace {
 
-/// What the colours stand for, one below the other in the upper left corner; objects with the same bar share it.
-void draw_colour_bars(Image& image, const std::vector<std::pair<ColourBar, double>>& bars_and_times) {
-  const int text = std::clamp(image.height / 36, 8, 48), width = std::min(image.width * 2 / 5, 16 * text), left = 2 * text;
+/// What colours stand for, and at which times.
+struct TimedBar {
+  ColourBar bar;
+  std::set<double> times_s;
+};
+
+/// Objects with the same bar share it.
+std::vector<TimedBar> bars_of(const std::vector<PictureObject>& objects) {
+  std::vector<TimedBar> bars;
+  for (const PictureObject& object : objects) {
+    if (!object.bar) continue;
+    auto same = std::find_if(bars.begin(), bars.end(), [&](const TimedBar& timed) { return timed.bar == *object.bar; });
+    if (same == bars.end()) same = bars.insert(bars.end(), {*object.bar, {}});
+    same->times_s.insert(object.time_s);
+  }
+  return bars;
+}
+
+/// "2 s", "2 and 5 s", "0, 2 and 5 s".
+std::string in_words(const std::set<double>& times_s) {
+  std::string words;
+  for (auto time = times_s.begin(); time != times_s.end(); ++time)
+    words += fmt::format("{}{:.4g}", time == times_s.begin() ? "" : std::next(time) == times_s.end() ? " and " : ", ", *time);
+  return words + " s";
+}
+
+/// One below the other in the upper left corner.
+void draw_colour_bars(Image& image, const std::vector<TimedBar>& bars) {
+  const int text = letters_of_bars(image.height), width = std::min(image.width * 2 / 5, 16 * text), left = 2 * text;
   int top = text;
-  for (const auto& [bar, time_s] : bars_and_times) {
+  for (const auto& [bar, times_s] : bars) {
     ColourBar timed = bar;
-    timed.label += fmt::format(", {:.4g} s", time_s);
+    timed.label += ", " + in_words(times_s);
     if (top + colour_bar_height(text) > image.height) return;
     draw_colour_bar(image, timed, left + width / 2, top, width, text, Colour::Constant(0.15f));
     top += colour_bar_height(text) + text / 2;
@@ -230,10 +278,7 @@ void draw_colour_bars(Image& image, const std::vector<std::pair<ColourBar, doubl
 
 Image take_picture(const View& view, Composition composition, const Stage& stage, int threads,
                    const std::function<void(double share)>& progress) {
-  std::vector<std::pair<ColourBar, double>> bars;
-  for (const PictureObject& object : composition.objects)
-    if (object.bar && view.picture.colour_bar && std::find(bars.begin(), bars.end(), std::pair(*object.bar, object.time_s)) == bars.end())
-      bars.emplace_back(*object.bar, object.time_s);
+  const std::vector<TimedBar> bars = view.picture.colour_bar ? bars_of(composition.objects) : std::vector<TimedBar>();
   PathTracer tracer;
   for (PictureObject& object : composition.objects) {
     for (TriangleObject& mesh : object.meshes) tracer.add(std::move(mesh));

@@ -13,9 +13,10 @@
 namespace bake {
 
 /// The nearest camera that looks along -direction and sees all `points`. The share `margin` of the picture stays free on each side, and
-/// `below` more at the bottom. The fit is exact: the outermost points touch the margins in width, in height or in both.
+/// `below` more at the bottom and `above` at the top. The fit is exact: the outermost points touch the margins in width, in height or in
+/// both.
 Camera fitted_camera(const std::vector<Vec3f>& points, const Vec3f& direction, double angle_of_view_deg, double aspect, double margin,
-                     double below);
+                     double below, double above = 0);
 
 /// Light to sRGB: exposure, then a curve that rolls off highlights (Narkowicz 2015, fit of the ACES film curve).
 Image developed(const Radiance& radiance, double exposure);

@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
 #include <algorithm>
-#include <limits>
 
 #include "analysis/browning/browning.h"
 #include "analysis/surface/mesh_tools.h"
@@ -35,15 +33,7 @@ std::filesystem::path run_around(const std::filesystem::path& frame) {
 
 }  // namespace
 
-double diameter(const std::vector<double>& points) {
-  Eigen::Array3d low = Eigen::Array3d::Constant(std::numeric_limits<double>::max()), high = -low;
-  for (std::size_t i = 0; i < points.size(); i += 3) {
-    const Eigen::Map<const Eigen::Array3d> p(&points[i]);
-    low = low.min(p);
-    high = high.max(p);
-  }
-  return points.empty() ? 0 : (high - low).matrix().norm();
-}
+double diameter(const std::vector<double>& points) { return points.empty() ? 0 : box_around<double>(points).diagonal().norm(); }
 
 Shown::Shown(std::filesystem::path file, std::filesystem::path results, int threads)
     : file_(std::move(file)), results_(std::move(results)), threads_(threads) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "solver/core/errors.h"
 #include "solver/scene/json_value.h"
 #include "solver/scene/overrides.h"
 #include "solver/scene/read_value.h"

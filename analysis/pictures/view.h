@@ -178,6 +178,7 @@ struct ObjectSettings {
   std::optional<Vector3> cut_normal;
   double coat = 0.5;
   double roughness = 0.5;
+  double translucent_m = 0;
   double crease_deg = 60;
   static constexpr auto parameters() {
     return std::tuple{
@@ -206,6 +207,8 @@ struct ObjectSettings {
         Parameter{"cut_normal", &ObjectSettings::cut_normal, "", any_number, "the side of the plane that is taken away"},
         Parameter{"coat", &ObjectSettings::coat, "1", fraction, "share of the surface that shines"},
         Parameter{"roughness", &ObjectSettings::roughness, "1", fraction, "of the shine, 0 a mirror"},
+        Parameter{"translucent_m", &ObjectSettings::translucent_m, "m", non_negative,
+                  "how far light goes inside the body between two scatterings; 0: it is opaque. The surface must be closed"},
         Parameter{"crease_deg", &ObjectSettings::crease_deg, "degrees", Range{0, 180, false, false, "a number from 0 to 180"},
                   "edges sharper than this are shown sharp"},
     };

@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "analysis/image/colour_bar.h"
 #include "analysis/pictures/shown.h"
@@ -36,24 +35,14 @@ Axes axes_of(const SliceSettings& slice) {
 struct Body {
   std::string title;
   Mesh face, behind;
-  Eigen::Array2d low, high;  ///< of the body in the drawing plane [m]
+  Eigen::AlignedBox2d extent;  ///< of the body in the drawing plane [m]
 };
-
-Eigen::Vector3d centre_of(const Mesh& mesh) {
-  Eigen::Array3d low = Eigen::Array3d::Constant(std::numeric_limits<double>::max()), high = -low;
-  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
-    const Eigen::Map<const Eigen::Array3d> p(&mesh.points[3 * i]);
-    low = low.min(p);
-    high = high.max(p);
-  }
-  return (low + high) / 2;
-}
 
 Body body_of(const View& view, const ObjectSettings& object, const Shown& shown, const Axes& axes) {
   const Mesh whole = shown.surface(object.spacing_m.value_or(0));
-  Body body{object.title.empty() ? fmt::format("t = {:.4g} s", shown.time_s()) : object.title, {}, {}, {}, {}};
+  Body body{object.title.empty() ? fmt::format("t = {:.4g} s", shown.time_s()) : object.title, {}, {}, {}};
   if (view.slice.cut) {
-    const Eigen::Vector3d point = view.slice.point_m ? as_eigen(*view.slice.point_m) : centre_of(whole);
+    const Eigen::Vector3d point = view.slice.point_m ? as_eigen(*view.slice.point_m) : box_around<double>(whole.points).center();
     CutMesh pieces = cut(whole, point, axes.towards_eye, diameter(whole.points) / 250);
     if (pieces.face.cells.empty())
       throw InputError(fmt::format("{}: slice.point_m: the plane does not meet {}", quotable_path(view.file), shown.file().string()));
@@ -63,14 +52,10 @@ Body body_of(const View& view, const ObjectSettings& object, const Shown& shown,
     body.face = whole;
   }
   for (const PanelSettings& panel : view.panels) shown.provide(body.face, panel.field);
-  body.low.setConstant(std::numeric_limits<double>::max());
-  body.high = -body.low;
   for (const Mesh* mesh : {&body.face, &body.behind})
     for (std::size_t i = 0; i < mesh->vertex_count(); ++i) {
       const Eigen::Map<const Eigen::Vector3d> p(&mesh->points[3 * i]);
-      const Eigen::Array2d q(axes.right.dot(p), axes.up.dot(p));
-      body.low = body.low.min(q);
-      body.high = body.high.max(q);
+      body.extent.extend(Eigen::Vector2d(axes.right.dot(p), axes.up.dot(p)));
     }
   return body;
 }
@@ -131,7 +116,7 @@ Image draw_body(const View& view, const Body& body, const PanelSettings& panel, 
         map_colour(panel.map, span.high > span.low ? static_cast<float>((value - span.low) / (span.high - span.low)) : 0.5f));
   std::vector<DrawnMesh> meshes{std::move(face)};
   if (!body.behind.cells.empty()) meshes.push_back({&body.behind, {}, true, view.slice.edges});
-  const Eigen::Array2d middle = (body.low + body.high) / 2;
+  const Eigen::Array2d middle = body.extent.center();
   const Eigen::Vector3d flat = middle.x() * axes.right + middle.y() * axes.up;
   const Eigen::Vector3d centre = view.slice.centre_m ? as_eigen(*view.slice.centre_m) : flat;
   return draw(meshes, {centre, axes.towards_eye, axes.up, height * metres_per_pixel / 2}, width, height);
@@ -157,7 +142,7 @@ Image take_slices(const View& view, const std::vector<std::filesystem::path>& fi
   const int inner_width = at.cell_width - at.text, inner_height = at.cell_height - at.text * 2;
   double metres_per_pixel = 0;
   for (const Body& body : bodies) {
-    const Eigen::Array2d size = body.high - body.low;
+    const Eigen::Array2d size = body.extent.diagonal();
     metres_per_pixel = std::max({metres_per_pixel, size.x() / inner_width, size.y() / inner_height});
   }
   if (view.slice.width_m) metres_per_pixel = *view.slice.width_m / inner_width;

@@ -2,13 +2,22 @@
 // Operations on meshes that pictures need.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "solver/io/mesh_file.h"
 
 namespace bake {
+
+/// The box around points x, y, z; an empty one if there is none.
+template <class Real>
+Eigen::AlignedBox<Real, 3> box_around(std::span<const Real> points) {
+  Eigen::AlignedBox<Real, 3> box;
+  for (std::size_t i = 0; i < points.size(); i += 3) box.extend(Eigen::Map<const Eigen::Vector<Real, 3>>(&points[i]));
+  return box;
+}
 
 /// The boundary of a mesh of tetrahedra: the faces that only one tetrahedron has, facing outwards, with the fields of their vertices.
 Mesh boundary_of_tetrahedra(const Mesh& tetrahedra);

@@ -2,13 +2,13 @@
 // Sorts points into bins of equal size, to find those near a position.
 #pragma once
 
-#include <Eigen/Core>
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <numeric>
 #include <span>
 #include <vector>
+
+#include "analysis/surface/mesh_tools.h"
 
 namespace bake {
 
@@ -17,17 +17,13 @@ class PointGrid {
  public:
   /// `points`: x, y, z of each, at least one, all finite; `cell` above 0: edge of a bin, best the distance that is asked for.
   PointGrid(std::span<const float> points, float cell) : points_(points) {
-    low_.setConstant(std::numeric_limits<float>::max());
-    Eigen::Array3f high = -low_;
-    for (std::size_t i = 0; i < count(); ++i) {
-      low_ = low_.min(point(i).array());
-      high = high.max(point(i).array());
-    }
+    const auto box = box_around<float>(points);
+    low_ = box.min();
     cell_ = cell;
     constexpr double k_most_bins = 1 << 26;  // if points lie far apart, bins get larger so that memory stays bounded
-    const Eigen::Array3d size = (high - low_).cast<double>();
-    while (((size / cell_).floor() + 1).prod() > k_most_bins) cell_ *= 2;
-    bins_ = ((high - low_) / cell_).floor().cast<int>() + 1;
+    const Eigen::Array3f size = box.diagonal();
+    while (((size.cast<double>() / cell_).floor() + 1).prod() > k_most_bins) cell_ *= 2;
+    bins_ = (size / cell_).floor().cast<int>() + 1;
     fill();
   }
 

@@ -2,7 +2,6 @@
 #include "analysis/surface/splat.h"
 
 #include <fmt/format.h>
-#include <omp.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkFlyingEdges3D.h>
@@ -16,9 +15,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <limits>
 
+#include "analysis/surface/mesh_tools.h"
 #include "analysis/surface/point_grid.h"
 #include "solver/core/errors.h"
 
@@ -49,19 +48,14 @@ struct SampleGrid {
 };
 
 SampleGrid grid_around(const Particles& particles, float spacing) {
-  Eigen::Array3f low = Eigen::Array3f::Constant(std::numeric_limits<float>::max()), high = -low;
-  for (std::size_t i = 0; i < particles.count(); ++i) {
-    const Eigen::Map<const Eigen::Array3f> p(&particles.positions[3 * i]);
-    low = low.min(p);
-    high = high.max(p);
-  }
+  const auto box = box_around<float>(particles.positions);
   const float margin = (k_reach + 1) * spacing, cell = k_cell * spacing;
-  const Eigen::Array3d nodes = ((high - low + 2 * margin) / cell).ceil().cast<double>() + 1;
+  const Eigen::Array3d nodes = ((box.diagonal().array() + 2 * margin) / cell).ceil().cast<double>() + 1;
   constexpr double k_most_nodes = 5e8;
   if (!(nodes.prod() < k_most_nodes))
     throw InputError(fmt::format("the particles are strewn over {:.3g} nodes of {:.3g} m, allowed: up to {:.3g}; give a larger --spacing",
                                  nodes.prod(), cell, k_most_nodes));
-  return {low - margin, cell, nodes.cast<int>()};
+  return {box.min().array() - margin, cell, nodes.cast<int>()};
 }
 
 /// phi at every node, positive inside: half a spacing minus the distance to the weighted mean of the particles around.
@@ -159,8 +153,8 @@ void orient_outwards(Mesh& mesh) {
 }  // namespace
 
 std::vector<MeshField> fields_at(const std::vector<double>& points, const Particles& particles, const std::vector<MeshField>& fields,
-                                 int threads, const std::string& what) {
-  const float reach = k_reach * particles.spacing(), far = k_far_reach * particles.spacing();
+                                 int threads, const std::string& what, float spacing) {
+  const float distance = std::max(spacing, particles.spacing()), reach = k_reach * distance, far = k_far_reach * distance;
   const PointGrid near(particles.positions, reach);
   const std::size_t count = points.size() / 3;
   std::vector<MeshField> result;
@@ -207,7 +201,7 @@ Mesh splat_surface(const Particles& particles, const SplatSettings& settings) {
         fmt::format("the particles make no surface at a spacing of {:.3g} m: they are strewn; give a larger --spacing", spacing));
   orient_outwards(mesh);
   mesh.time_s = particles.time_s;
-  mesh.fields = fields_at(mesh.points, particles, particles.fields, settings.threads, "the surface");
+  mesh.fields = fields_at(mesh.points, particles, particles.fields, settings.threads, "the surface", spacing);
   return mesh;
 }
 

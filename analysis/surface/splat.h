@@ -21,8 +21,9 @@ Mesh splat_surface(const Particles& particles, const SplatSettings& settings = {
 
 /// Interpolates the particles' fields at other points, as weighted means of the particles within 1.8 spacings (or the nearest one).
 /// Throws InputError naming `what` if more than one point in a hundred has no particle within 4 spacings: then the points belong to another
-/// run or time. (Single points may be that far away: where crumbs separate, the surface between them is extrapolated.)
+/// run or time. (Single points may be that far away: where crumbs separate, the surface between them is extrapolated.) `spacing`: of the
+/// surface that the points are of, if that is coarser than the particles [m].
 std::vector<MeshField> fields_at(const std::vector<double>& points, const Particles& particles, const std::vector<MeshField>& fields,
-                                 int threads, const std::string& what);
+                                 int threads, const std::string& what, float spacing = 0);
 
 }  // namespace bake

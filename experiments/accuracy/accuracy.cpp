@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/accuracy/accuracy.h"
-
+// The study of accuracy: what an error costs, for every setting that can be chosen.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <optional>
 
 #include "experiments/accuracy/result.h"
+#include "experiments/common/study.h"
 #include "solver/core/errors.h"
 #include "solver/io/atomic_file.h"
 #include "solver/io/provenance.h"

@@ -2,7 +2,6 @@
 // Work-precision charts: settled errors against particle-steps and against time; the front in grey, its points numbered as in the page's
 // table.
 #include <algorithm>
-#include <cmath>
 
 #include "analysis/charts/chart.h"
 #include "experiments/accuracy/result.h"

@@ -8,7 +8,6 @@
 #include "experiments/accuracy/running.h"
 #include "experiments/convergence/exact.h"
 #include "experiments/convergence/manufactured.h"
-#include "solver/scene/reader.h"
 
 namespace bake::studies::accuracy {
 

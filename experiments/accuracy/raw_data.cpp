@@ -5,12 +5,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <cstring>
-#include <fstream>
 
 #include "solver/core/errors.h"
-#include "solver/io/atomic_file.h"
 #include "solver/io/provenance.h"
 #include "solver/scene/entry.h"
 #include "solver/scene/resolved.h"

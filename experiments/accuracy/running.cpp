@@ -58,7 +58,7 @@ class Staged final : public Running {
   explicit Staged(const Scene& scene) : scene_(scene), chooser_(Simulation::begin(scene)), baker_(recipe_of(scene)) {
     if (!scene.emitters.empty()) throw std::logic_error("emitters by the textbook");
     for (const NewParticle& p : fill_bodies(scene)) baker_.add(beginning_of(scene, p, filled_++));
-    baker_.step(0, surroundings_of(scene, 0));
+    baker_.step(0, surroundings_of(scene, 0, 0));
     water_at_start_ = sum([](const textbook::Particle& p) { return p.m_w; });
   }
 
@@ -66,7 +66,7 @@ class Staged final : public Running {
     while (chooser_->time() < time) {
       const double begin = chooser_->time(), dt = chooser_->dt();
       chooser_->advance(time, time, [] { return false; });
-      const textbook::Surroundings surroundings = surroundings_of(scene_, begin);
+      const textbook::Surroundings surroundings = surroundings_of(scene_, begin, dt);
       timed(found, [&] { baker_.step(dt, surroundings); });
     }
     if (baker_.particles().size() != static_cast<std::size_t>(filled_))

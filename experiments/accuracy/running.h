@@ -2,8 +2,6 @@
 // A scene in motion, by the solver or by the textbook baker: what the study looks at and what it pays.
 #pragma once
 
-#include <memory>
-
 #include "experiments/accuracy/case.h"
 #include "solver/run/simulation.h"
 

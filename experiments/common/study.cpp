@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "experiments/common/study.h"
 
-#include "experiments/accuracy/accuracy.h"
-#include "experiments/convergence/convergence.h"
-#include "experiments/departures/departures.h"
-#include "experiments/effects/effects.h"
-#include "experiments/stability/stability.h"
-#include "experiments/surface/surface.h"
+#include <nlohmann/json.hpp>
+
+#include "solver/io/atomic_file.h"
+#include "solver/io/provenance.h"
 
 namespace bake::studies {
 
@@ -20,6 +18,14 @@ const std::vector<Study>& all_studies() {
       {"surface", "The area that the surface measure finds, in its standard and its published form", run_surface},
   };
   return studies;
+}
+
+void write_tables(const StudyOptions& options, const std::string& file, nlohmann::json measured, const std::string& page) {
+  measured["quick"] = options.quick;
+  measured["provenance"] = provenance();
+  std::filesystem::create_directories(options.out);
+  write_text_atomically(options.out / (file + ".json"), measured.dump(2) + "\n");
+  write_text_atomically(options.out / (file + ".md"), page);
 }
 
 }  // namespace bake::studies

@@ -10,6 +10,12 @@ std::unique_ptr<Simulation> StudyScene::begin() const {
   return Simulation::begin(scene());
 }
 
+std::unique_ptr<Simulation> StudyScene::after(double time) const {
+  auto simulation = begin();
+  run_to(*simulation, time);
+  return simulation;
+}
+
 void run_to(Simulation& simulation, double time) { simulation.advance(time, time); }
 
 }  // namespace bake::studies

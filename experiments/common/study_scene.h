@@ -12,11 +12,13 @@ namespace bake::studies {
 
 struct StudyScene : SceneBuilder {
   int threads = 1;  ///< most are too small to share
-  StudyScene() {
+  explicit StudyScene(const std::string& listed = "heat") {
+    effects = listed;
     time = "safety = 1";
     material = "density_kg_per_m3 = 1\n";
   }
   std::unique_ptr<Simulation> begin() const;
+  std::unique_ptr<Simulation> after(double time) const;  ///< begun, and stepped until then
 };
 
 /// Steps until `time`, at which everything is sampled. Throws RunError.

@@ -106,8 +106,7 @@ bool in_cube(const Point& x) {
 /// Between walls that slip; or, `beyond` cells deep, in material that is held to the exact velocity.
 double error(double cells, bool held, int rows) {
   constexpr double t = 1;
-  StudyScene setting;
-  setting.effects = "motion, elasticity";
+  StudyScene setting("motion, elasticity");
   const double dx = setting.dx = 1 / cells, beyond = held ? 2 * dx : 0, air = held ? 2 * dx : 0;
   setting.frame_s = t;
   for (std::size_t i = 0; i < 3; ++i) setting.low[i] = -beyond - air, setting.high[i] = 1 + beyond + air;

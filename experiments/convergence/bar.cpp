@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -39,8 +38,7 @@ std::string bodies(const Bar& bar) {
 
 StudyScene Bar::setting() const {
   const double width = across * dx();
-  StudyScene setting;
-  setting.effects = effects;
+  StudyScene setting(effects);
   setting.frame_s = end_s;
   setting.dx = dx();
   setting.low = {-(before + air + shift) * dx(), 0, 0};
@@ -51,6 +49,11 @@ StudyScene Bar::setting() const {
   setting.tables = tables + bodies(*this);
   setting.overrides = overrides;
   return setting;
+}
+
+std::string held(const char* point, const char* normal, int temperature_C) {
+  return fmt::format("[[grip]]\nshape = {{ half_space = {{ point_m = {}, normal = {} }} }}\ntemperature_C = {}\n", point, normal,
+                     temperature_C);
 }
 
 std::vector<double> differences(const Snapshot& now, const Field& found, const Profile& exact, const Span& span) {
@@ -64,9 +67,7 @@ std::vector<double> differences(const Snapshot& now, const Field& found, const P
 
 std::vector<double> temperature_differences(Bar bar, double cells, const Profile& exact, const Span& span) {
   bar.cells = static_cast<int>(cells);
-  const auto s = bar.begin();
-  run_to(*s, bar.end_s);
-  const Snapshot now = s->snapshot();
+  const Snapshot now = bar.end()->snapshot();
   const auto& theta = now["temperature"];
   return differences(
       now, [&](std::size_t i) { return theta[i]; }, exact, span);

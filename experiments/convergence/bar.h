@@ -33,7 +33,11 @@ struct Bar {
   double dx() const { return 1.0 / cells; }
   StudyScene setting() const;
   std::unique_ptr<Simulation> begin() const { return setting().begin(); }
+  std::unique_ptr<Simulation> end() const { return setting().after(end_s); }
 };
+
+/// A grip that holds all behind a plane at a temperature [C]. `point` and `normal`, which looks out of what is held: "[0, 0, 0]".
+std::string held(const char* point, const char* normal, int temperature_C);
 
 /// Part of the bar.
 struct Span {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/convergence/convergence.h"
-
+// The study of convergence: every case at its resolutions, in one table.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,9 +8,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "experiments/common/study.h"
 #include "experiments/convergence/cases.h"
 #include "solver/core/errors.h"
-#include "solver/io/atomic_file.h"
 #include "solver/io/provenance.h"
 
 namespace bake::studies {
@@ -105,10 +104,7 @@ bool run_convergence(const StudyOptions& options) {
     if (asked)
       fmt::print(stderr, "{}: {:.1f} s\n", c.name, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
-  std::filesystem::create_directories(options.out);
-  write_text_atomically(
-      file, json{{"study", "convergence"}, {"quick", options.quick}, {"provenance", provenance()}, {"orders", rows}}.dump(2) + "\n");
-  write_text_atomically(options.out / "orders.md", as_markdown(rows));
+  write_tables(options, "orders", {{"study", "convergence"}, {"orders", rows}}, as_markdown(rows));
   fmt::print("{}; written to {}\n", held ? "every band holds" : "NOT every band holds", options.out.string());
   return held;
 }

@@ -23,9 +23,7 @@ std::vector<double> temperatures(const char* integrator, double steps) {
   bar.tables = fmt::format("[heat]\nintegrator = \"{}\"\ntolerance = 1e-12\nsubgrid_diffusion = 0\n", integrator);
   bar.time = fmt::format("safety = 1\nlargest_step_s = {:.17g}\n", k_end / (steps - 0.5));
   bar.state = [](double x) { return fmt::format("temperature_C = {:.17g}", std::cos(std::numbers::pi * x)); };
-  const auto s = bar.begin();
-  run_to(*s, k_end);
-  return s->snapshot()["temperature"];
+  return bar.end()->snapshot()["temperature"];
 }
 
 Errors of(const char* integrator, std::vector<double> steps) {

@@ -23,8 +23,7 @@ std::vector<Errors> free_fall(bool) {
   velocity.refined = place.refined = "steps";
   velocity.refinements = place.refinements = {20, 40, 80};
   for (const double steps : place.refinements) {
-    StudyScene setting;
-    setting.effects = "motion, elasticity";
+    StudyScene setting("motion, elasticity");
     setting.frame_s = t;
     setting.dx = 0.0625;
     setting.time = fmt::format("largest_step_s = {:.17g}", t / (steps - 0.5));

@@ -16,13 +16,6 @@
 // the onset, and where it is the wavelength: of the solver and of the theory alike.
 #include "experiments/convergence/film.h"
 
-#include <fmt/format.h>
-
-#include <array>
-#include <cmath>
-#include <numbers>
-
-#include "experiments/common/study_scene.h"
 #include "experiments/convergence/cases.h"
 
 namespace bake::studies {
@@ -40,7 +33,6 @@ constexpr double k_length = 21, k_depth = 12;  // of the piece, when compressed
 constexpr std::array k_half_waves{2, 3, 4};    // in its length; the onset's are about 3
 static_assert(k_half_waves.size() == Waves{}.size());
 
-constexpr double k_pressed = 1;   // until then it is compressed [s]
 constexpr double k_load = 0.002;  // of each wave, for each unit of the film's mass [m/s^2]
 
 Waves wave_numbers() {
@@ -71,22 +63,11 @@ shape = {{ box = {{ centre_m = [{:.17g}, {:.17g}, {:.17g}], half_extents_m = [{:
                      material, length / 2, width / 2, (low + high) / 2, length / 2, width / 2, (high - low) / 2);
 }
 
-std::string wall(const char* contact, const Vector3& point, const Vector3& normal) {
-  return fmt::format(R"(
-[[collider]]
-shape = {{ half_space = {{ point_m = [{:.17g}, 0, {:.17g}], normal = [{}, 0, {}] }} }}
-contact = "{}"
-from_s = {}
-)",
-                     point[0], point[2], normal[0], normal[2], contact, k_pressed);
-}
-
 /// How far the film yields to waves of load of one sign or the other, for each unit of load; `cells` in its thickness. The piece is pressed
 /// evenly, and free of stress along z: nu is that of both. Then walls hold it where it is; at the sides it slips.
 Waves yielding(int cells, double e, double sign) {
   const double dx = 1. / cells, length = k_length * std::exp(e);
-  StudyScene setting;
-  setting.effects = "motion, elasticity";
+  StudyScene setting("motion, elasticity");
   setting.frame_s = k_pressed;
   setting.dx = dx;
   setting.low = {-3 * dx, 0, -k_depth - 3 * dx};
@@ -96,26 +77,19 @@ Waves yielding(int cells, double e, double sign) {
   setting.material += fmt::format("young_modulus_Pa = 1\npoisson_ratio = {}\n", nu);
   setting.tables =
       fmt::format("[[material]]\nname = \"film\"\ndensity_kg_per_m3 = 1\nyoung_modulus_Pa = {}\npoisson_ratio = {}\n", Y_f, nu) +
-      body("dough", length, dx, -k_depth, 0) + body("film", length, dx, 0, 1) + wall("slip", {0, 0, 0}, {1, 0, 0}) +
-      wall("slip", {k_length, 0, 0}, {-1, 0, 0}) + wall("sticky", {0, 0, dx - k_depth}, {0, 0, 1});
+      body("dough", length, dx, -k_depth, 0) + body("film", length, dx, 0, 1) + wall("slip", 0, 0, 1, 0) +
+      wall("slip", k_length, 0, -1, 0) + wall("sticky", 0, dx - k_depth, 0, 1);
   const auto s = setting.begin();
-  const double along = (std::exp(-e) - 1) / k_pressed, up = (std::exp(nu / (1 - nu) * e) - 1) / k_pressed;
-  s->set_force([=](const Point& x, const Vector3&, double t, double) {
-    return Vector3{along * x[0] / (1 + along * t), 0, up * x[2] / (1 + up * t)};  // places change linearly: exact for steps of any length
-  });
-  run_to(*s, k_pressed);
+  press(*s, e, nu);
   const Snapshot pressed = s->snapshot();
 
   const Waves k = wave_numbers();
-  const double rate = damping(e);
-  s->set_force([=](const Point& x, const Vector3& v, double t, double dt) {
-    if (t <= k_pressed) return Vector3{0, 0, 0};
+  load(*s, damping(e), [=](const Point& x) {
     const double share = x[2] > dx / 4 ? 1 : x[2] > -dx / 4 ? 0.5 : 0;  // of a node in the film's lower face half the mass is film
     double push = 0;
     for (const double each : k) push += sign * k_load * share * std::cos(each * x[0]);
-    return std::exp(-rate * dt) * (v + Vector3{0, 0, dt * push});
+    return push;
   });
-  run_to(*s, k_pressed + 16 / rate);
   const Snapshot now = s->snapshot();
 
   Waves w{};

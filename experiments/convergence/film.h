@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What the studies of films on soft ground share: from the strains at which waves of several lengths would grow to the first that does.
+// What the studies of films on soft ground share: how the piece is pressed and loaded, and the way from the strains at which waves of
+// several lengths would grow to the first that does.
 #pragma once
+
+#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
+
+#include "experiments/common/study_scene.h"
 
 namespace bake::studies::film {
 
@@ -34,6 +40,35 @@ inline Waves critical_strains(const Waves& free, const Waves& pressed, double e)
     found[i] = e * S_0 / (S_0 - S_e);
   }
   return found;
+}
+
+inline constexpr double k_pressed = 1;  ///< until then the piece is compressed [s]
+
+/// A wall that holds the piece once it is compressed; point and normal in x and z.
+inline std::string wall(const char* contact, double x, double z, int n_x, int n_z) {
+  return fmt::format(
+      "[[collider]]\nshape = {{ half_space = {{ point_m = [{:.17g}, 0, {:.17g}], normal = [{}, 0, {}] }} }}\ncontact = \"{}\"\n"
+      "from_s = {}\n",
+      x, z, n_x, n_z, contact, k_pressed);
+}
+
+/// Compresses the piece evenly by the logarithmic strain `e`, free of stress along z.
+inline void press(Simulation& simulation, double e, double poisson_ratio) {
+  const double nu = poisson_ratio, along = (std::exp(-e) - 1) / k_pressed, up = (std::exp(nu / (1 - nu) * e) - 1) / k_pressed;
+  simulation.set_force([=](const Point& x, const Vector3&, double t, double) {
+    return Vector3{along * x[0] / (1 + along * t), 0, up * x[2] / (1 + up * t)};  // places change linearly: exact for steps of any length
+  });
+  run_to(simulation, k_pressed);
+}
+
+/// Then lets it yield to an acceleration push(x) along z, while all motion is damped by `rate`, until it is at rest.
+template <class Push>
+void load(Simulation& simulation, double rate, Push push) {
+  simulation.set_force([=](const Point& x, const Vector3& v, double t, double dt) {
+    if (t <= k_pressed) return Vector3{0, 0, 0};
+    return std::exp(-rate * dt) * (v + Vector3{0, 0, dt * push(x)});
+  });
+  run_to(simulation, k_pressed + 16 / rate);
 }
 
 /// Of two loads of opposite sign: what dough moves by itself is not in it.

@@ -49,7 +49,7 @@ Bar slab(double width) {
       "transition_heat_J_per_kg = 1\ntransition_from_C = 0\ntransition_to_C = {}\n",
       width);
   bar.state = [](double x) { return x < 0 ? "temperature_C = 1" : "temperature_C = 0"; };
-  bar.tables = "[[grip]]\nshape = { half_space = { point_m = [0, 0, 0], normal = [1, 0, 0] } }\ntemperature_C = 1\n";
+  bar.tables = held("[0, 0, 0]", "[1, 0, 0]", 1);
   return bar;
 }
 

@@ -18,8 +18,7 @@ constexpr double k_gas_constant = 8.314, k_atmosphere = 101325;  // moles are gi
 
 /// A cube that starts at k_hot and swings until PIC has damped it.
 Snapshot settled_cube(double cells, const char* effects, const std::string& material, const std::string& tables, double end_s) {
-  StudyScene setting;
-  setting.effects = effects;
+  StudyScene setting(effects);
   setting.dx = 1 / cells;
   setting.frame_s = end_s;
   setting.time = "safety = 0.5";
@@ -29,9 +28,7 @@ Snapshot settled_cube(double cells, const char* effects, const std::string& mate
   setting.tables = tables;
   setting.shape = "box = { half_extents_m = [0.5, 0.5, 0.5] }";
   setting.body = fmt::format("temperature_C = {}", k_hot);
-  const auto s = setting.begin();
-  run_to(*s, end_s);
-  return s->snapshot();
+  return setting.after(end_s)->snapshot();
 }
 
 Errors at_rest(const char* quantity, double bound, const char* why, bool quick) {
@@ -114,9 +111,7 @@ std::vector<Errors> closed_pores(bool quick) {
         k_pores, k_cold);
     bar.tables = fmt::format("[leavening]\nreference_pressure_Pa = {}\n", k_pressure / 10);
     bar.state = [](double) { return fmt::format("temperature_C = {}", k_hot); };
-    const auto s = bar.begin();
-    run_to(*s, t);
-    const Snapshot now = s->snapshot();
+    const Snapshot now = bar.end()->snapshot();
     const auto& mass = now["solid_mass"];
     double momentum = 0;
     for (std::size_t i = 0; i < mass.size(); ++i)

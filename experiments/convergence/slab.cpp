@@ -17,13 +17,6 @@ using std::numbers::pi;
 
 constexpr int k_terms = 60;  // at t = 0.05 the last is below 1e-300
 
-std::string hot_below_zero() {
-  return "[[grip]]\nshape = { half_space = { point_m = [0, 0, 0], normal = [1, 0, 0] } }\ntemperature_C = 1\n";
-}
-std::string cold_above_one() {
-  return "[[grip]]\nshape = { half_space = { point_m = [1, 0, 0], normal = [-1, 0, 0] } }\ntemperature_C = 0\n";
-}
-
 double cosine(double x, double t) { return 0.5 + 0.5 * std::exp(-pi * pi * t) * std::cos(pi * x); }
 
 double halves(double x, double t) {
@@ -137,14 +130,14 @@ std::vector<Errors> slab_halves(bool quick) {
 std::vector<Errors> slab_held(bool quick) {
   Bar bar = slab();
   bar.before = bar.after = 2;
-  bar.tables = hot_below_zero() + cold_above_one();
+  bar.tables = held("[0, 0, 0]", "[1, 0, 0]", 1) + held("[1, 0, 0]", "[-1, 0, 0]", 0);
   return held_errors(bar, 0.05, held_slab_temperature, quick);
 }
 
 std::vector<Errors> slab_held_and_insulated(bool quick) {
   Bar bar = slab();
   bar.before = 2;
-  bar.tables = hot_below_zero();
+  bar.tables = held("[0, 0, 0]", "[1, 0, 0]", 1);
   return held_errors(bar, 0.2, held_and_insulated, quick);
 }
 

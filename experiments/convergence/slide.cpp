@@ -17,8 +17,7 @@ constexpr double k_sliding_s = 1, k_angle = 30 * std::numbers::pi / 180;  // [s]
 
 /// A stiff block on the domain's floor, half a metre long; gravity is tilted instead of the floor.
 std::unique_ptr<Simulation> block(double cells, double friction, double speed, const char* transfer = "apic") {
-  StudyScene setting;
-  setting.effects = "motion, elasticity";
+  StudyScene setting("motion, elasticity");
   setting.dx = 0.5 / cells;
   setting.frame_s = k_sliding_s;
   setting.low = {-0.5, -0.5, 0};

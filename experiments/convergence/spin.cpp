@@ -42,8 +42,7 @@ std::vector<Errors> spinning_disc(bool quick) {
   angular.refined = inertia.refined = "cells in the radius";
   angular.refinements = inertia.refinements = quick ? std::vector<double>{4, 6, 8, 12} : std::vector<double>{4, 6, 8};
   for (const double n : inertia.refinements) {
-    StudyScene setting;
-    setting.effects = "motion, elasticity";
+    StudyScene setting("motion, elasticity");
     const double dx = setting.dx = 1 / n;
     const double sample = period / 100;  // some seven to a swing of the disc
     setting.frame_s = sample;

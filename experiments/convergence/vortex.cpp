@@ -77,8 +77,7 @@ Vector3 body_force(const Point& x, double t) {
 bool in_annulus(const Point& x) { return std::abs(radius(x) - 1) < 0.25; }
 
 StudyScene setting(double cells, bool held) {
-  StudyScene setting;
-  setting.effects = "motion, elasticity";
+  StudyScene setting("motion, elasticity");
   const double dx = setting.dx = 1 / cells, beyond = held ? 2 * dx : 0;
   setting.frame_s = furthest_s;
   setting.low = {-1.5, -1.5, 0};

@@ -27,8 +27,7 @@ yield_stress_Pa = 1e-2
 
 /// A ball of one metre in air without exchange, nothing flowing.
 StudyScene ball(const char* effects, bool quick) {
-  StudyScene setting;
-  setting.effects = effects;
+  StudyScene setting(effects);
   setting.dx = quick ? 0.25 : 0.125;
   setting.low = {-2.5, -2.5, -2.5};
   setting.high = {2.5, 2.5, 2.5};
@@ -58,8 +57,7 @@ double cooled(const char* form, bool quick) {
   setting.material = "density_kg_per_m3 = 1\ninitial_temperature_C = 100\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
   setting.tables =
       fmt::format("[heat]\nheat_transfer_form = \"{}\"\n[oven]\ntemperature_C = 20\nheat_transfer_coefficient_W_per_m2K = 1\n", form);
-  const auto s = setting.begin();
-  run_to(*s, 0.2);
+  const auto s = setting.after(0.2);
   return s->total(total::temperature) / s->total(total::volume);
 }
 
@@ -68,8 +66,7 @@ double area_found(const char* form, bool quick) {
   setting.material = "density_kg_per_m3 = 1\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
   setting.surface = fmt::format("form = \"{}\"", form);
   setting.tables = "[oven]\ntemperature_C = 20\nheat_transfer_coefficient_W_per_m2K = 1\n";
-  const auto s = setting.begin();
-  run_to(*s, 1e-3);
+  const auto s = setting.after(1e-3);
   return s->booked(booked::area) / (4 * M_PI);
 }
 
@@ -118,8 +115,7 @@ double strain_of_rest(const char* form, bool quick) {
 
 /// A bar of one metre at rest whose halves start otherwise than each other, without exchange: what they become is the medium's own doing.
 StudyScene halves(const char* effects, const std::string& here, const std::string& there, bool quick) {
-  StudyScene setting;
-  setting.effects = effects;
+  StudyScene setting(effects);
   setting.dx = quick ? 0.1 : 0.05;
   const auto half = [](double x) { return fmt::format("box = {{ centre_m = [{}, 0, 0], half_extents_m = [0.25, 0.1, 0.1] }}", x); };
   setting.tables = fmt::format("[[body]]\nmaterial = \"dough\"\nparticles_per_cell = {}\nshape = {{ {} }}\n{}\n",
@@ -138,9 +134,7 @@ Soaked soaked(const char* water, bool quick) {
   StudyScene setting = halves("water", fmt::format("saturation = {}", k_soaked), "saturation = 0", quick);
   setting.material = "density_kg_per_m3 = 1\nwater_density_kg_per_m3 = 1\ninitial_temperature_C = 1\ndiffusivity_m2_per_sK = 1\n";
   setting.tables = fmt::format("[water]\n{}\n", water) + setting.tables;
-  const auto s = setting.begin();
-  run_to(*s, 0.1);
-  const Snapshot end = s->snapshot();
+  const Snapshot end = setting.after(0.1)->snapshot();
   Soaked most{0, 0};
   for (std::size_t i = 0; i < end.id.size(); ++i) {
     double& half = end.position[i][0] < 0 ? most.wet : most.dry;
@@ -154,8 +148,7 @@ double uneven(const char* heat, bool quick) {
   StudyScene setting = halves("heat", "temperature_C = 0", "temperature_C = 100", quick);
   setting.material += "specific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
   setting.heat = heat;
-  const auto s = setting.begin();
-  run_to(*s, 1);
+  const auto s = setting.after(1);
   return s->highest(highest::temperature) + s->highest(highest::coldness);
 }
 

@@ -4,12 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
+#include "experiments/common/study.h"
 #include "solver/core/errors.h"
-#include "solver/io/atomic_file.h"
-#include "solver/io/provenance.h"
 
 namespace bake::studies {
 
@@ -91,10 +90,7 @@ bool run_departures(const StudyOptions& options) {
                     {"published", c.published},
                     {"departs", c.departs}});
   }
-  std::filesystem::create_directories(options.out);
-  const nlohmann::json all{{"study", "departures"}, {"quick", options.quick}, {"provenance", provenance()}, {"consequences", rows}};
-  write_text_atomically(options.out / "departures.json", all.dump(2) + "\n");
-  write_text_atomically(options.out / "departures.md", as_markdown(consequences, departures));
+  write_tables(options, "departures", {{"study", "departures"}, {"consequences", rows}}, as_markdown(consequences, departures));
   fmt::print("\n{} departures in the sources; written to {}\n", departures.size(), options.out.string());
   return held;
 }

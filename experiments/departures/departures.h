@@ -3,11 +3,9 @@
 // sources, so that paper/departures.md is written by no hand.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
-
-#include "experiments/common/study.h"
 
 namespace bake::studies {
 
@@ -32,7 +30,5 @@ struct Departure {
 };
 /// All of them, by file. Throws InputError if the sources are not there.
 std::vector<Departure> find_departures(const std::filesystem::path& sources);
-
-bool run_departures(const StudyOptions& options);
 
 }  // namespace bake::studies

@@ -3,12 +3,10 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <stdexcept>
 
 #include "analysis/machines/scenes.h"
-#include "analysis/machines/statistics.h"
 #include "analysis/machines/stopwatch.h"
 #include "experiments/effects/effects.h"
 #include "solver/engine/engine.h"
@@ -17,11 +15,6 @@
 
 namespace bake::studies {
 namespace {
-
-void take_steps(Simulation& simulation, int steps) {
-  constexpr double never = 1e6;  // [s]: no step is one that samples
-  simulation.advance(never, never, [&] { return --steps > 0; });
-}
 
 struct Running {
   std::unique_ptr<Scene> scene;  // the simulation refers to it
@@ -32,7 +25,7 @@ Running begin(const bench::Combination& combination, const CostOptions& options)
   Running running;
   running.scene = std::make_unique<Scene>(bench::loaf(combination, Precision::single_precision, options.particles));
   running.simulation = Simulation::begin(*running.scene);
-  take_steps(*running.simulation, options.warm_up);
+  bench::take_steps(*running.simulation, options.warm_up);
   return running;
 }
 
@@ -54,7 +47,7 @@ Cost describe(const bench::Combination& combination, const Running& running) {
 void time_once(Simulation& simulation, int steps, Cost& cost) {
   const auto before = simulation.counters().particle_steps;
   const bench::Stopwatch watch;
-  take_steps(simulation, steps);
+  bench::take_steps(simulation, steps);
   const auto done = static_cast<double>(simulation.counters().particle_steps - before);
   cost.cpu_ns.push_back(1e9 * watch.cpu_s() / done);
   cost.wall_ns.push_back(1e9 * watch.wall_s() / done);

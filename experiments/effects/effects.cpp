@@ -10,9 +10,8 @@
 
 #include "analysis/charts/chart.h"
 #include "analysis/machines/statistics.h"
+#include "experiments/common/study.h"
 #include "solver/core/errors.h"
-#include "solver/io/atomic_file.h"
-#include "solver/io/provenance.h"
 
 namespace bake::studies {
 namespace {
@@ -65,8 +64,8 @@ json as_json(const Outcome& o) {
           {"quantities", quantities}, {"particle_steps", o.particle_steps}, {"cpu_s", o.cpu_s}};
 }
 
-json as_json(const std::vector<Cost>& costs, const std::vector<Influence>& influences, bool quick) {
-  json all{{"study", "effects"}, {"quick", quick}, {"provenance", provenance()}};
+json as_json(const std::vector<Cost>& costs, const std::vector<Influence>& influences) {
+  json all{{"study", "effects"}};
   for (const Cost& c : costs) all["costs"].push_back(as_json(c));
   for (const Margin& m : all_margins())
     all["margins"].push_back({{"effect", m.effect},
@@ -220,9 +219,7 @@ bool run_effects(const StudyOptions& options) {
   const std::vector<Influence> influences = measure_influence(options.quick ? InfluenceOptions{2, 4, 0.1} : InfluenceOptions{1, 0.5, 1});
   const std::string text = as_markdown(costs, influences, options.quick);
   fmt::print("{}", text);
-  std::filesystem::create_directories(options.out);
-  write_text_atomically(options.out / "effects.json", as_json(costs, influences, options.quick).dump(2) + "\n");
-  write_text_atomically(options.out / "effects.md", text);
+  write_tables(options, "effects", as_json(costs, influences), text);
   try {
     charts::write_chart(chart_of(costs, influences), options.out);
   } catch (const InputError& error) {  // no gnuplot

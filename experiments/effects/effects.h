@@ -2,11 +2,8 @@
 // What every effect costs, and what it changes.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
-
-#include "experiments/common/study.h"
 
 namespace bake::studies {
 
@@ -78,10 +75,5 @@ struct InfluenceOptions {
 };
 /// Bread, cookie and drying cube. A line of progress for every run on standard error. Throws RunError.
 std::vector<Influence> measure_influence(const InfluenceOptions& options);
-
-// ---------------------------------------------------------------- all together
-
-/// Measures both; prints the tables; writes effects.json, effects.md and, if gnuplot is there, the chart effects.svg (.pdf, .csv).
-bool run_effects(const StudyOptions& options);
 
 }  // namespace bake::studies

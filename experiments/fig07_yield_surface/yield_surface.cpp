@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/fig07_yield_surface/yield_surface.h"
-
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "analysis/claims/finite.h"
 #include "experiments/fig14_return_map/stress_state.h"
 #include "experiments/fig15_bread/dough.h"
+#include "experiments/make/computed.h"
 #include "solver/effects/plasticity.h"
 
 namespace bake {

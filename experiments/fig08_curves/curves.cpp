@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/fig08_curves/curves.h"
-
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "analysis/claims/finite.h"
 #include "experiments/fig15_bread/dough.h"
+#include "experiments/make/computed.h"
 #include "solver/effects/plasticity.h"
 #include "solver/run/simulation.h"
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/fig12_co2_rate/co2_rate.h"
-
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "analysis/claims/finite.h"
 #include "experiments/fig15_bread/dough.h"
+#include "experiments/make/computed.h"
 #include "solver/effects/leavening.h"
 #include "solver/run/simulation.h"
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/fig14_return_map/return_map.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include "analysis/claims/finite.h"
 #include "experiments/fig14_return_map/stress_state.h"
 #include "experiments/fig15_bread/dough.h"
+#include "experiments/make/computed.h"
 
 namespace bake {
 namespace {

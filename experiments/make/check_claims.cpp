@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
 
 #include <cmath>
 #include <map>
+#include <set>
 
+#include "analysis/image/layout.h"
 #include "experiments/make/pipeline.h"
 #include "solver/io/atomic_file.h"
 #include "solver/io/provenance.h"
@@ -20,7 +21,7 @@ class Measured {
     if (of.empty()) return find_named(computed_.numbers, claim.metric)->value;
     const Metric& metric = find_metric(claim.metric);
     if (!claim.measured.empty()) return distance(metric, run(of), claim.place, *find_named(place_.figure.measured, claim.measured));
-    return metric.of_run ? measure(metric, run(of), claim.place) : measure(metric, surface(of), claim.place);
+    return metric.is_of_run() ? measure(metric, run(of), claim.place) : measure(metric, surface(of), claim.place);
   }
 
  private:
@@ -83,6 +84,23 @@ nlohmann::json json_of(const FigurePicture& picture) {
   return {{"file", picture.name + ".png"}, {"shows", picture.shows}, {"kind", word_of(picture.kind)}};
 }
 
+nlohmann::json json_of(const FigureMontage& montage) {
+  return {{"file", montage.name + ".png"}, {"shows", montage.shows}, {"kind", "montage"}};
+}
+
+/// Montages, and the pictures that stand in none.
+nlohmann::json pictures_of(const Figure& figure) {
+  nlohmann::json pictures = nlohmann::json::array();
+  std::set<std::string> tiles;
+  for (const FigureMontage& montage : figure.montages) {
+    pictures.push_back(json_of(montage));
+    for (const Place& place : layout_of(montage.rows).places) tiles.insert(place.name);
+  }
+  for (const FigurePicture& picture : figure.pictures)
+    if (!tiles.count(picture.name)) pictures.push_back(json_of(picture));
+  return pictures;
+}
+
 nlohmann::json json_of(const FigureChart& chart) { return {{"file", chart.name + ".svg"}, {"shows", chart.shows}}; }
 
 nlohmann::json json_of(const FigureObject& object) {
@@ -93,6 +111,29 @@ nlohmann::json json_of(const ComputedNumber& n) { return {{"name", n.name}, {"va
 
 nlohmann::json json_of(const ComputedTable& t) { return {{"name", t.name}, {"title", t.title}, {"header", t.header}, {"rows", t.rows}}; }
 
+/// Of the verdicts those of what is shown.
+struct Held {
+  int hold = 0, all = 0;
+  bool every_run = true;  ///< whether something is claimed of each that is shown
+
+  /// No number where nothing is claimed: what nobody measured holds nothing.
+  double share() const { return every_run && all > 0 ? static_cast<double>(hold) / all : std::nan(""); }
+};
+
+Held held_of(const std::vector<std::string>& runs, const Figure& part, const std::vector<ClaimVerdict>& verdicts) {
+  Held held;
+  for (const std::string& run : runs) {
+    const int before = held.all;
+    for (const ClaimVerdict& v : verdicts)
+      if (belongs_to(part, v.of, run)) {
+        ++held.all;
+        held.hold += v.holds;
+      }
+    if (held.all == before) held.every_run = false;
+  }
+  return held;
+}
+
 template <class T>
 nlohmann::json json_list(const std::vector<T>& list) {
   nlohmann::json array = nlohmann::json::array();
@@ -101,6 +142,21 @@ nlohmann::json json_list(const std::vector<T>& list) {
 }
 
 }  // namespace
+
+void add_parts(const FigurePaths& paths, Computed& computed) {
+  ComputedTable table{"tiles", "Where the tiles come from", {"tile", "figure", "runs", "their claims that hold"}, {}};
+  for (const FigurePicture& picture : paths.figure.pictures) {
+    if (!picture.part) continue;
+    const std::vector<std::string> runs = runs_shown(picture, *picture.part);
+    const Held held = held_of(runs, *picture.part, check_claims(shown_by(picture, paths), {}));
+    computed.numbers.push_back({claims_number(picture), "1",
+                                fmt::format("share of the claims of {} that hold of what is shown", picture.figure), held.share(),
+                                fraction});
+    table.rows.push_back(
+        {picture.name, picture.figure, fmt::format("{}", fmt::join(runs, ", ")), fmt::format("{} of {}", held.hold, held.all)});
+  }
+  if (!table.rows.empty()) computed.tables.push_back(std::move(table));
+}
 
 std::vector<ClaimVerdict> check_claims(const FigurePaths& paths, const Computed& computed) {
   Measured measured(paths, computed);
@@ -114,7 +170,10 @@ std::vector<ClaimVerdict> check_claims(const FigurePaths& paths, const Computed&
 
 void write_claims(const FigurePaths& paths, const Computed& computed, const std::vector<ClaimVerdict>& verdicts) {
   nlohmann::json runs = nlohmann::json::array();
-  for (const FigureRun& run : paths.figure.runs) runs.push_back(json_of(paths, run));
+  std::set<std::string> listed;
+  for (const FigurePaths& part : with_parts(paths))
+    for (const FigureRun& run : part.figure.runs)
+      if (listed.insert(run.name).second) runs.push_back(json_of(part, run));
   const nlohmann::json all{{"number", paths.item.number},
                            {"name", paths.item.name},
                            {"quality", paths.quality()},
@@ -124,7 +183,7 @@ void write_claims(const FigurePaths& paths, const Computed& computed, const std:
                            {"runs", runs},
                            {"numbers", json_list(computed.numbers)},
                            {"tables", json_list(computed.tables)},
-                           {"pictures", paths.options.pictures ? json_list(paths.figure.pictures) : nlohmann::json::array()},
+                           {"pictures", paths.options.pictures ? pictures_of(paths.figure) : nlohmann::json::array()},
                            {"objects", paths.options.pictures ? json_list(paths.figure.objects) : nlohmann::json::array()},
                            {"charts", json_list(paths.figure.charts)},
                            {"provenance", provenance()}};

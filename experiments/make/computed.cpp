@@ -6,12 +6,6 @@
 #include <algorithm>
 
 #include "analysis/charts/text.h"
-#include "experiments/fig07_yield_surface/yield_surface.h"
-#include "experiments/fig08_curves/curves.h"
-#include "experiments/fig12_co2_rate/co2_rate.h"
-#include "experiments/fig14_return_map/return_map.h"
-#include "experiments/table01_timings/timings.h"
-#include "experiments/table02_parameters/parameters.h"
 
 namespace bake {
 

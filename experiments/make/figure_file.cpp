@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 
+#include "analysis/image/layout.h"
 #include "solver/scene/nearest.h"
 #include "solver/scene/read_value.h"
 
@@ -28,10 +30,14 @@ std::vector<std::string> runs_and_surfaces(const Figure& figure) {
   return names;
 }
 
+bool is_one_of(const std::vector<std::string>& list, std::string_view name) {
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
 /// Complains about an unknown name.
 void check_known(const SceneEntry& entry, std::string_view key, const std::string& name, const char* what,
                  const std::vector<std::string>& known) {
-  if (std::find(known.begin(), known.end(), name) == known.end())
+  if (!is_one_of(known, name))
     entry.complain_at(key,
                       fmt::format("unknown {} '{}'; {}", what, quotable(name), known.empty() ? "there is none" : suggestion(name, known)));
 }
@@ -63,12 +69,61 @@ void check_view(const SceneEntry& entry, const std::string& view, const Figure& 
     entry.complain_at("view", fmt::format("found '{}', allowed: a view ({} is not there)", quotable(view), file.string()));
 }
 
-void check(const SceneEntry& entry, const FigurePicture& picture, const Figure& figure, const ComputedNames&) {
-  check_name(entry, picture.name, names_in(figure.pictures));
-  check_view(entry, picture.view, figure);
+/// Of a figure what a picture shows, with its claims, and what these compare it with.
+Figure part_of(const Figure& figure, const FigurePicture& picture) {
+  Figure part;
+  part.file = figure.file;
+  part.title = figure.title;
+  const std::vector<std::string> shown = runs_shown(picture, figure);
+  const auto is_shown = [&](const std::string& name) {
+    return std::any_of(shown.begin(), shown.end(), [&](const std::string& run) { return belongs_to(figure, name, run); });
+  };
+  std::set<std::string> needed(shown.begin(), shown.end());
+  needed.insert(picture.of.begin(), picture.of.end());
+  for (Claim claim : figure.claims) {
+    if (std::none_of(claim.of.begin(), claim.of.end(), is_shown)) continue;
+    if (!claim.order) std::erase_if(claim.of, [&](const std::string& name) { return !is_shown(name); });  // each is judged by itself
+    needed.insert(claim.of.begin(), claim.of.end());
+    if (!claim.greater_than.empty()) needed.insert(claim.greater_than);
+    part.claims.push_back(std::move(claim));
+  }
+  for (const FigureSurface& surface : figure.surfaces)
+    if (needed.count(surface.name)) {
+      part.surfaces.push_back(surface);
+      needed.insert(surface.run);
+    }
+  for (const FigureRun& run : figure.runs)
+    if (needed.count(run.name)) part.runs.push_back(run);
+  return part;
+}
+
+Figure read_other(const SceneEntry& entry, const std::string& item, const ComputedNames& names) {
+  try {
+    if (names.other) return names.other(item);
+  } catch (const InputError& error) {
+    entry.complain_at("figure", error.what());
+  }
+  entry.complain_at("figure", "allowed: in the figure.toml of an item of the paper");
+}
+
+void check(const SceneEntry& entry, FigurePicture& picture, const Figure& own, const ComputedNames& names) {
+  check_name(entry, picture.name, names_in(own.pictures));
+  check_view(entry, picture.view, own);
+  const Figure other = picture.figure.empty() ? Figure{} : read_other(entry, picture.figure, names);
+  const Figure& figure = picture.figure.empty() ? own : other;
   auto known = runs_and_surfaces(figure);
   for (const FigureRun& run : figure.runs) known.push_back(run.name + std::string(k_skin_of));
   for (const std::string& name : picture.of) check_known(entry, "of", name, "run, surface or skin", known);
+  if (!picture.figure.empty()) picture.part = std::make_shared<const Figure>(part_of(other, picture));
+}
+
+void check(const SceneEntry& entry, const FigureMontage& montage, const Figure& figure, const ComputedNames&) {
+  auto taken = names_in(figure.pictures);
+  for (const std::string& name : names_in(figure.montages)) taken.push_back(name);
+  check_name(entry, montage.name, taken);
+  const Layout layout = layout_of(montage.rows);
+  if (!layout.problem.empty()) entry.complain_at("rows", layout.problem);
+  for (const Place& place : layout.places) check_known(entry, "rows", place.name, "picture", names_in(figure.pictures));
 }
 
 void check(const SceneEntry& entry, const FigureMeasured& measured, const Figure& figure, const ComputedNames&) {
@@ -96,7 +151,7 @@ void check_metrics(const SceneEntry& entry, const FigureChart& chart) {
   std::vector<std::string> known;
   const bool over_time = chart.against.empty();
   for (const Metric& metric : all_metrics())
-    if (metric.of_run && (!over_time || std::find(metric.knows.begin(), metric.knows.end(), "time_s") != metric.knows.end()))
+    if (metric.is_of_run() && (!over_time || std::find(metric.knows.begin(), metric.knows.end(), "time_s") != metric.knows.end()))
       known.emplace_back(metric.name);
   check_known(entry, "metric", chart.metric, over_time ? "metric of a run that has a time" : "metric of a run", known);
   if (chart.place.time_s) entry.complain_at("time_s", over_time ? "the chart is drawn over all times" : "the chart shows the end");
@@ -143,7 +198,7 @@ void check(const SceneEntry& entry, const Claim& claim, const Figure& figure) {
     const char* key = name == claim.greater_than ? "greater_than" : "of";
     check_known(entry, key, name, "run or surface", runs_and_surfaces(figure));
     const bool is_run = find_named(figure.runs, name);
-    if (is_run == (find_metric(claim.metric).of_run != nullptr)) {
+    if (is_run == find_metric(claim.metric).is_of_run()) {
       if (!is_run) check_time(entry, claim, *find_named(figure.surfaces, name));
       continue;
     }
@@ -188,7 +243,7 @@ Figure read_figure(const fs::path& file, const ComputedNames& computed) {
   const Document document{file.string(), file.parent_path()};
   const toml::table table = parse_toml(read_text_file(file), document.name);
   const SceneEntry root(document, table);
-  root.refuse_unknown({"title", "shows", "run", "surface", "picture", "object", "measured", "chart", "claim", "blessed"});
+  root.refuse_unknown({"title", "shows", "run", "surface", "picture", "montage", "object", "measured", "chart", "claim", "blessed"});
   Figure figure;
   figure.file = file;
   figure.title = required_text(root, "title");
@@ -196,15 +251,43 @@ Figure read_figure(const fs::path& file, const ComputedNames& computed) {
   read_tables(root, "run", &Figure::runs, figure, computed);
   read_tables(root, "surface", &Figure::surfaces, figure, computed);
   read_tables(root, "picture", &Figure::pictures, figure, computed);
+  read_tables(root, "montage", &Figure::montages, figure, computed);
   read_tables(root, "object", &Figure::objects, figure, computed);
   read_tables(root, "measured", &Figure::measured, figure, computed);
   read_tables(root, "chart", &Figure::charts, figure, computed);
+  std::vector<KnownNumber> numbers = computed.numbers;
+  for (const FigurePicture& picture : figure.pictures)
+    if (picture.part) numbers.push_back({claims_number(picture), fraction});
   for (const SceneEntry& entry : root.tables("claim")) {
-    figure.claims.push_back(read_claim(entry, computed.numbers));
+    figure.claims.push_back(read_claim(entry, numbers));
     check(entry, figure.claims.back(), figure);
   }
   if (figure.claims.empty()) root.refuse_missing("claim", "at least one: what is shown must be measured");
   return figure;
+}
+
+std::vector<std::string> runs_shown(const FigurePicture& picture, const Figure& figure) {
+  std::vector<std::string> runs;
+  for (const std::string& name : picture.of) {
+    const FigureSurface* surface = find_named(figure.surfaces, name);
+    const std::string run = surface ? surface->run : name.substr(0, name.find(k_skin_of));
+    if (!is_one_of(runs, run)) runs.push_back(run);
+  }
+  return runs;
+}
+
+std::vector<std::string> runs_of(const Figure& figure) {
+  std::vector<std::string> runs = names_in(figure.runs);
+  for (const FigurePicture& picture : figure.pictures)
+    if (picture.part)
+      for (const std::string& run : names_in(picture.part->runs))
+        if (!is_one_of(runs, run)) runs.push_back(run);
+  return runs;
+}
+
+bool belongs_to(const Figure& figure, const std::string& name, const std::string& run) {
+  const FigureSurface* surface = find_named(figure.surfaces, name);
+  return name == run || (surface && surface->run == run);
 }
 
 fs::path scene_file(const Figure& figure, const FigureRun& run) {

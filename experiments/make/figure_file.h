@@ -2,6 +2,9 @@
 // Reads experiments/<item>/figure.toml, which tells how an item of the paper is made from runs, and what is claimed of them.
 #pragma once
 
+#include <functional>
+#include <memory>
+
 #include "analysis/claims/claim.h"
 #include "experiments/make/items.h"
 
@@ -75,9 +78,13 @@ struct FigureMeasured {
 enum class PictureKind { picture, slice };
 constexpr auto choice_names(PictureKind) { return std::array{"picture", "slice"}; }
 
+struct Figure;
+
 /// [[picture]]: a picture that bake-render makes.
 struct FigurePicture {
   std::string name;
+  std::string figure;
+  std::shared_ptr<const Figure> part;  ///< with `figure`: of that figure what the picture shows, and what is claimed of it
   std::string shows;
   PictureKind kind = PictureKind::picture;
   std::string view;
@@ -86,6 +93,10 @@ struct FigurePicture {
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"name", &FigurePicture::name, "", any_number, "name of its file", Presence::required},
+        Parameter{
+            "figure", &FigurePicture::figure, "", any_number,
+            "another item by its name: the picture shows runs of that one's figure.toml, which are made, and their claims are measured: "
+            "<name>_claims_hold is the share that holds"},
         Parameter{"shows", &FigurePicture::shows, "", any_number,
                   "what it shows: for readers who cannot see it, and as its caption on the page", Presence::required},
         Parameter{"kind", &FigurePicture::kind, "", any_number, "the command of bake-render"},
@@ -95,6 +106,28 @@ struct FigurePicture {
                   "runs (their frames), surfaces, and <run>.skin (the skins of a run), in the order of the view's objects",
                   Presence::required},
         Parameter{"times_s", &FigurePicture::times_s, "s", non_negative, "the time of each; at the end unless given"},
+    };
+  }
+};
+
+/// [[montage]]: pictures of this figure as tiles of one.
+struct FigureMontage {
+  std::string name;
+  std::string shows;
+  std::vector<std::string> rows;
+  int cell_width_px = 0;
+  int cell_height_px = 0;
+  static constexpr auto parameters() {
+    constexpr Range pixels{16, 4096, false, false, "a whole number from 16 to 4096"};
+    return std::tuple{
+        Parameter{"name", &FigureMontage::name, "", any_number, "name of its file", Presence::required},
+        Parameter{"shows", &FigureMontage::shows, "", any_number,
+                  "what it shows: for readers who cannot see it, and as its caption on the page", Presence::required},
+        Parameter{"rows", &FigureMontage::rows, "", any_number,
+                  "rows of equal cells, \"one two two\": the picture whose name stands in cells that touch fills all of them",
+                  Presence::required},
+        Parameter{"cell_width_px", &FigureMontage::cell_width_px, "", pixels, "width of a cell", Presence::required},
+        Parameter{"cell_height_px", &FigureMontage::cell_height_px, "", pixels, "height of a cell", Presence::required},
     };
   }
 };
@@ -160,17 +193,30 @@ struct Figure {
   std::vector<FigureRun> runs;
   std::vector<FigureSurface> surfaces;
   std::vector<FigurePicture> pictures;
+  std::vector<FigureMontage> montages;
   std::vector<FigureObject> objects;
   std::vector<FigureMeasured> measured;
   std::vector<FigureChart> charts;
   std::vector<Claim> claims;
 };
 
-/// Names of the charts and numbers that an item's function computes (see experiments/make/computed.h).
+/// Names of the charts and numbers that an item's function computes (see experiments/make/computed.h), and the way to other figures.
 struct ComputedNames {
   std::vector<std::string> charts;
   std::vector<KnownNumber> numbers;
+  /// Reads the figure of another item, of that name; throws InputError.
+  std::function<Figure(const std::string& item)> other = {};
 };
+
+/// The number that a figure with `[[picture]] figure = "..."` has of that picture: the share of the claims of what it shows that hold.
+inline std::string claims_number(const FigurePicture& picture) { return picture.name + "_claims_hold"; }
+
+/// The runs that the picture shows, themselves or by their skins and surfaces, in the order in which it names them.
+std::vector<std::string> runs_shown(const FigurePicture& picture, const Figure& figure);
+/// The names of all its runs, also of those of other figures that its pictures show, each once.
+std::vector<std::string> runs_of(const Figure& figure);
+/// Whether that is the run or a surface of it.
+bool belongs_to(const Figure& figure, const std::string& name, const std::string& run);
 
 /// Reads the file and checks that every name in it refers to something that exists. Throws InputError with file, line, found and allowed.
 Figure read_figure(const std::filesystem::path& file, const ComputedNames& computed = {});

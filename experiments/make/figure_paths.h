@@ -28,12 +28,26 @@ struct FigurePaths {
   const Item& item;
   const Figure& figure;
   const MakeOptions& options;
+  std::string part = {};  ///< of another figure, whose name it is: its surfaces stand in a folder of that name
 
   std::string quality() const { return word_of(options.quality); }
   std::filesystem::path run(const std::string& name) const { return std::filesystem::path("results") / (name + "-" + quality()); }
   std::filesystem::path item_folder() const { return bake::item_folder(item, options.quality); }
-  std::filesystem::path surface(const std::string& name) const { return item_folder() / name; }
+  std::filesystem::path surface(const std::string& name) const { return item_folder() / part / name; }
 };
+
+/// What the picture shows: this figure, or its part of another one.
+inline FigurePaths shown_by(const FigurePicture& picture, const FigurePaths& paths) {
+  return picture.part ? FigurePaths{paths.item, *picture.part, paths.options, picture.figure} : paths;
+}
+
+/// This figure, and the parts of others that its pictures show.
+inline std::vector<FigurePaths> with_parts(const FigurePaths& paths) {
+  std::vector<FigurePaths> all{paths};
+  for (const FigurePicture& picture : paths.figure.pictures)
+    if (picture.part) all.push_back(shown_by(picture, paths));
+  return all;
+}
 
 /// Prints one line on standard error about what is being made, unless quiet.
 void say(const MakeOptions& options, const std::string& line);

@@ -7,6 +7,7 @@
 
 #include "experiments/make/pipeline.h"
 #include "experiments/make/programs.h"
+#include "solver/scene/entry.h"
 
 namespace bake {
 
@@ -32,15 +33,26 @@ ReadFigure read_figure(const Items& items, const Item& item) {
     throw InputError(
         fmt::format("{} ({}): {}, allowed: an item that is done (bake list figures)", item.number, item.name, word_of(item.status)));
   Computed computed = compute(item);
-  return {read_figure(items.figure_file_of(item), names_of(computed)), std::move(computed)};
+  ComputedNames names = names_of(computed);
+  names.other = [&](const std::string& name) {
+    const Item& other = find_item(items, name);
+    if (other.name == item.name) throw InputError(fmt::format("found '{}', which is this one, allowed: another", quotable(name)));
+    Figure figure = read_figure(items, other).figure;
+    if (std::any_of(figure.pictures.begin(), figure.pictures.end(), [](const FigurePicture& picture) { return picture.part != nullptr; }))
+      throw InputError(fmt::format("found '{}', whose pictures show others, allowed: a figure of its own runs", quotable(name)));
+    return figure;
+  };
+  return {read_figure(items.figure_file_of(item), names), std::move(computed)};
 }
 
 namespace {
 
 /// Checks this before hours of simulation.
 void check_programs(const FigurePaths& paths) {
-  const auto& runs = paths.figure.runs;
-  if (std::any_of(runs.begin(), runs.end(), [](const FigureRun& run) { return run.mesh; })) find_program("bake-mesh");
+  for (const FigurePaths& part : with_parts(paths)) {
+    const auto& runs = part.figure.runs;
+    if (std::any_of(runs.begin(), runs.end(), [](const FigureRun& run) { return run.mesh; })) find_program("bake-mesh");
+  }
   if (paths.options.pictures && paths.options.only_run.empty() && !(paths.figure.pictures.empty() && paths.figure.objects.empty()))
     find_program("bake-render");
 }
@@ -60,6 +72,7 @@ MadeFigure make_figure(const Items& items, const Item& item, const MakeOptions& 
     make_objects(paths);
   }
   make_charts(paths, computed);
+  add_parts(paths, computed);
   write_tables(paths, computed);
   const auto verdicts = check_claims(paths, computed);
   write_claims(paths, computed, verdicts);

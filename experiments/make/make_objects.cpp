@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "experiments/make/moments.h"
 #include "experiments/make/pipeline.h"
 #include "experiments/make/programs.h"
@@ -13,18 +15,25 @@ namespace fs = std::filesystem;
 
 constexpr int k_moments = 12;
 
+/// The first frame in which there is something: what is poured begins with nothing.
+int first_frame(const Results& run) {
+  const std::vector<double> volumes = run.column_as_it_is("volume_m3");
+  return static_cast<int>(std::find_if(volumes.begin(), volumes.end() - 1, [](double volume) { return volume > 0; }) - volumes.begin());
+}
+
 /// The frames that are shown, closer together where the body changes.
 std::vector<int> frames_of(const Results& run) {
   std::vector<std::vector<double>> columns;
   for (const char* name : {"time_s", "volume_m3", "height_m", "extent_x_m", "extent_y_m"}) columns.push_back(run.column_as_it_is(name));
-  return moments(columns, k_moments);
+  return moments(columns, k_moments, first_frame(run));
 }
 
 /// The frames of another run that are nearest in time; its last one from there on where it ends before.
 std::vector<int> frames_beside(const Results& leader, const std::vector<int>& frames, const Results& run) {
   const std::vector<double> times = leader.column("time_s"), own = run.column("time_s");
   std::vector<int> beside;
-  for (const int frame : frames) beside.push_back(run.frame_at(std::min(times[static_cast<std::size_t>(frame)], own.back())));
+  for (const int frame : frames)
+    beside.push_back(std::max(first_frame(run), run.frame_at(std::min(times[static_cast<std::size_t>(frame)], own.back()))));
   beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
   return beside;
 }

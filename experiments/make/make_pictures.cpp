@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include "analysis/image/layout.h"
 #include "experiments/make/pipeline.h"
 #include "experiments/make/programs.h"
 #include "experiments/make/up_to_date.h"
@@ -32,7 +33,7 @@ std::vector<Input> inputs_of(const FigurePaths& paths, const FigurePicture& pict
   if (times.empty()) times.push_back(std::nullopt);
   std::vector<Input> inputs;
   for (const std::string& name : picture.of)
-    for (const auto& time : times) inputs.push_back(input_of(paths, name, time));
+    for (const auto& time : times) inputs.push_back(input_of(shown_by(picture, paths), name, time));
   return inputs;
 }
 
@@ -48,13 +49,13 @@ std::vector<std::string> render_arguments(const FigurePaths& paths, const Figure
 }
 
 /// The same picture as JPEG, a fortieth as large, for the report.
-void make_small(const FigurePaths& paths, const FigurePicture& picture, const fs::path& png) {
+void make_small(const FigurePaths& paths, const std::string& name, const fs::path& png) {
   fs::path made = png;
   made.replace_extension(".jpg");
   const std::vector<std::string> words{"jpeg", png.string(), "--out", made.string()};
   const nlohmann::json from{words, stamp(png)};
   if (is_up_to_date(made, from)) return;
-  call_program("bake-render", words, paths.item_folder() / (picture.name + ".jpg.log"), paths.options.quiet);
+  call_program("bake-render", words, paths.item_folder() / (name + ".jpg.log"), paths.options.quiet);
   record_sources(made, from);
 }
 
@@ -64,18 +65,38 @@ void make_picture(const FigurePaths& paths, const FigurePicture& picture) {
   auto words = render_arguments(paths, picture, inputs, made);
   nlohmann::json from{words, stamp(view_file(paths.figure, picture.view)), stamp(find_program("bake-render"))};
   for (const Input& input : inputs) from.push_back(stamp(input.file));
-  if (is_up_to_date(made, from)) return make_small(paths, picture, made);
+  if (is_up_to_date(made, from)) return make_small(paths, picture.name, made);
   say(paths.options, fmt::format("picture {}", picture.name));
   if (paths.options.threads > 0) words.insert(words.end(), {"--threads", std::to_string(paths.options.threads)});  // same picture
   call_program("bake-render", words, paths.item_folder() / (picture.name + ".log"), paths.options.quiet);
   record_sources(made, from);
-  make_small(paths, picture, made);
+  make_small(paths, picture.name, made);
+}
+
+void make_montage(const FigurePaths& paths, const FigureMontage& montage) {
+  const fs::path made = paths.item_folder() / (montage.name + ".png");
+  std::vector<std::string> words{"montage"};
+  nlohmann::json from = nlohmann::json::array();
+  for (const Place& place : layout_of(montage.rows).places) {
+    words.push_back((paths.item_folder() / (place.name + ".png")).string());
+    from.push_back(stamp(words.back()));
+  }
+  for (const std::string& row : montage.rows) words.insert(words.end(), {"--row", row});
+  words.insert(words.end(), {"--cell", fmt::format("{}x{}", montage.cell_width_px, montage.cell_height_px), "--out", made.string()});
+  from.push_back({words, stamp(find_program("bake-render"))});
+  if (!is_up_to_date(made, from)) {
+    say(paths.options, fmt::format("montage {}", montage.name));
+    call_program("bake-render", words, paths.item_folder() / (montage.name + ".log"), paths.options.quiet);
+    record_sources(made, from);
+  }
+  make_small(paths, montage.name, made);
 }
 
 }  // namespace
 
 void make_pictures(const FigurePaths& paths) {
   for (const FigurePicture& picture : paths.figure.pictures) make_picture(paths, picture);
+  for (const FigureMontage& montage : paths.figure.montages) make_montage(paths, montage);
 }
 
 }  // namespace bake

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
+
 #include "experiments/make/pipeline.h"
 #include "experiments/make/programs.h"
 #include "experiments/make/up_to_date.h"
-#include "solver/io/atomic_file.h"
 #include "solver/run/kept_run.h"
 #include "solver/scene/entry.h"
 #include "solver/scene/nearest.h"
@@ -72,9 +74,9 @@ void make_run(const FigurePaths& paths, const FigureRun& run) {
 }
 
 void refuse_unknown_run(const FigurePaths& paths) {
-  if (paths.options.only_run.empty() || find_named(paths.figure.runs, paths.options.only_run)) return;
-  std::vector<std::string> names;
-  for (const FigureRun& run : paths.figure.runs) names.push_back(run.name);
+  if (paths.options.only_run.empty()) return;
+  const std::vector<std::string> names = runs_of(paths.figure);
+  if (std::find(names.begin(), names.end(), paths.options.only_run) != names.end()) return;
   throw InputError(fmt::format("--only-run: unknown run '{}'; {}", quotable(paths.options.only_run),
                                names.empty() ? paths.item.number + " has none" : suggestion(paths.options.only_run, names)));
 }
@@ -83,8 +85,10 @@ void refuse_unknown_run(const FigurePaths& paths) {
 
 void make_runs(const FigurePaths& paths) {
   refuse_unknown_run(paths);
-  for (const FigureRun& run : paths.figure.runs)
-    if (paths.options.only_run.empty() || paths.options.only_run == run.name) make_run(paths, run);
+  std::set<std::string> made;  // two pictures may show one run
+  for (const FigurePaths& part : with_parts(paths))
+    for (const FigureRun& run : part.figure.runs)
+      if ((paths.options.only_run.empty() || paths.options.only_run == run.name) && made.insert(run.name).second) make_run(part, run);
 }
 
 }  // namespace bake

@@ -48,7 +48,8 @@ void make_surface(const FigurePaths& paths, const FigureSurface& surface) {
 }  // namespace
 
 void make_surfaces(const FigurePaths& paths) {
-  for (const FigureSurface& surface : paths.figure.surfaces) make_surface(paths, surface);
+  for (const FigurePaths& part : with_parts(paths))
+    for (const FigureSurface& surface : part.figure.surfaces) make_surface(part, surface);
 }
 
 }  // namespace bake

@@ -21,11 +21,12 @@ void add_changes(const std::vector<double>& column, std::vector<double>& way) {
 
 }  // namespace
 
-std::vector<int> moments(const std::vector<std::vector<double>>& columns, int count) {
+std::vector<int> moments(const std::vector<std::vector<double>>& columns, int count, int first) {
   std::vector<double> way(columns.front().size(), 0.0);
   for (const auto& column : columns) add_changes(column, way);
+  std::fill_n(way.begin(), first + 1, 0.0);
   for (std::size_t row = 1; row < way.size(); ++row) way[row] += way[row - 1];
-  std::vector<int> rows{0};
+  std::vector<int> rows{first};
   const int last = static_cast<int>(way.size()) - 1;
   for (int k = 1; k < count && rows.back() < last; ++k) {
     const double goal = way.back() * k / (count - 1);

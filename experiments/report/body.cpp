@@ -49,12 +49,13 @@ std::vector<std::string> frames_in(const fs::path& folder) {
   return names;
 }
 
-/// Which fields there are, in the order of the page.
-std::vector<std::string> fields_of(const fs::path& folder) {
-  const FrameReader reader(folder / ("particles_" + frames_in(folder).front()));
-  std::vector<std::string> names;
-  for (const char* name : k_fields)
-    if (reader.has(name)) names.emplace_back(name);
+/// Which fields all bodies have, in the order of the page: one model may have no water, or no gas.
+std::vector<std::string> fields_of(const std::vector<fs::path>& folders) {
+  std::vector<std::string> names(k_fields.begin(), k_fields.end());
+  for (const fs::path& folder : folders) {
+    const FrameReader reader(folder / ("particles_" + frames_in(folder).front()));
+    std::erase_if(names, [&](const std::string& name) { return !reader.has(name); });
+  }
   return names;
 }
 
@@ -235,12 +236,11 @@ PackedBody packed(const Body& body, const Scale& scale, bool particles) {
 
 std::vector<PackedBody> packed_bodies(const std::vector<fs::path>& folders, bool particles) {
   std::vector<Body> bodies;
-  const std::vector<std::string> fields = fields_of(folders.front());
-  for (const fs::path& folder : folders) {
+  for (const fs::path& folder : folders)
     if (!fs::exists(folder / "look.json"))
       throw InputError(fmt::format("{}: missing; make the figure again", (folder / "look.json").string()));
-    bodies.push_back(read_body(folder, fields));
-  }
+  const std::vector<std::string> fields = fields_of(folders);
+  for (const fs::path& folder : folders) bodies.push_back(read_body(folder, fields));
   const Scale scale(bodies, fields);
   std::vector<PackedBody> made;
   for (const Body& body : bodies) made.push_back(packed(body, scale, particles));

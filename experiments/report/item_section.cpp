@@ -56,7 +56,7 @@ Html charts(const json& files, const std::filesystem::path& folder, const std::s
   return parts.empty() ? Html{} : element("div", join(parts), "class=\"plots\"");
 }
 
-/// The pictures but those that stand for a body. The second kind, cuts with numbers, needs the whole width.
+/// The pictures but those that stand for a body. The other kinds, cuts with numbers and montages, need the whole width.
 Html pictures(const json& made, const std::filesystem::path& folder) {
   std::vector<std::string> taken;
   for (const json& object : objects_of(made)) taken.push_back(object.at("picture").get<std::string>() + ".png");
@@ -64,9 +64,9 @@ Html pictures(const json& made, const std::filesystem::path& folder) {
   for (const json& file : made.at("pictures")) {
     const std::string name = file.at("file"), shows = file.at("shows");
     if (std::find(taken.begin(), taken.end(), name) != taken.end()) continue;
-    const bool is_slice = file.value("kind", "picture") == "slice";
+    const bool is_wide = file.value("kind", "picture") != "picture";
     parts.push_back(element("figure", join({picture(folder / name, shows), element("figcaption", text(shows))}),
-                            is_slice ? "class=\"whole-width\"" : ""));
+                            is_wide ? "class=\"whole-width\"" : ""));
   }
   return parts.empty() ? Html{} : element("div", join(parts), "class=\"pictures\"");
 }

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "experiments/report/body.h"
-#include "experiments/report/sections.h"
 #include "experiments/report/time_chart.h"
 
 namespace bake::report {

@@ -2,8 +2,6 @@
 // The report: one page with all claims, measurements and pictures. It can be opened without a network.
 #pragma once
 
-#include <filesystem>
-
 #include "experiments/make/items.h"
 #include "solver/scene/settings.h"
 

@@ -2,7 +2,6 @@
 // Tables of the results that the studies have stored in paper/*.json.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <map>
 
 #include "experiments/report/sections.h"

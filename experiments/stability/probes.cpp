@@ -21,8 +21,7 @@ struct Cube {
   int particles_per_cell = 8;
 
   std::unique_ptr<Simulation> begin(double safety) const {
-    StudyScene setting;
-    setting.effects = effects;
+    StudyScene setting(effects);
     setting.frame_s = 1e6;
     setting.dx = dx;
     setting.low = {-10 * dx, -10 * dx, -10 * dx};
@@ -58,14 +57,19 @@ bool endures(const Cube& cube, double safety, const std::function<bool(const Sim
   }
 }
 
-/// Mechanics: no energy from nowhere. A jump of velocities excites every mode of the grid.
-bool keeps_energy(const Cube& cube, double safety) {
+/// Of energies none that is more than twice the first.
+template <class Energy>
+bool keeps(const Cube& cube, double safety, Energy energy) {
   double start = -1;
   return endures(cube, safety, [&](const Simulation& s) {
-    const double energy = s.total(total::kinetic) + s.total(total::elastic);
-    if (start < 0) start = energy;
-    return energy <= 2 * start;
+    if (start < 0) start = energy(s);
+    return energy(s) <= 2 * start;
   });
+}
+
+/// Mechanics: no energy from nowhere. A jump of velocities excites every mode of the grid.
+bool keeps_energy(const Cube& cube, double safety) {
+  return keeps(cube, safety, [](const Simulation& s) { return s.total(total::kinetic) + s.total(total::elastic); });
 }
 
 /// Diffusion: no value outside those at the start, by more than a tenth of the jump (FLIP and the kernels overshoot a little).
@@ -124,12 +128,7 @@ Cube leavened(double p_ref) {
 
 /// Gas works on the solid and takes it back: the elastic energy alone says nothing, but kinetic energy may not grow.
 bool keeps_kinetic_energy(const Cube& cube, double safety) {
-  double start = -1;
-  return endures(cube, safety, [&](const Simulation& s) {
-    const double energy = s.total(total::kinetic);
-    if (start < 0) start = energy;
-    return energy <= 2 * start;
-  });
+  return keeps(cube, safety, [](const Simulation& s) { return s.total(total::kinetic); });
 }
 
 }  // namespace
@@ -137,28 +136,28 @@ bool keeps_kinetic_energy(const Cube& cube, double safety) {
 std::vector<Probe> all_probes(bool quick) {
   std::vector<Probe> probes;
   using Holds = bool (*)(const Cube&, double);
-  const auto add = [&](std::string map, const char* knob, double value, const Cube& cube, Holds holds, bool has_limit = true) {
-    probes.push_back({std::move(map), knob, value, has_limit, [=](double safety) { return holds(cube, safety); }});
-  };
-  /// Every knob that all cubes have.
-  const auto sweep = [&](const std::string& map, const Cube& cube, Holds holds, bool has_limit = true) {
-    for (const double dx : quick ? std::vector{0.01} : std::vector{0.01, 1.0}) {
-      Cube other = cube;
-      other.dx = dx;
-      add(map, "dx_m", dx, other, holds, has_limit);
-    }
-    for (const int n : quick ? std::vector{1, 8} : std::vector{1, 2, 4, 8, 27, 64}) {
-      Cube other = cube;
-      other.particles_per_cell = n;
-      add(map, "particles_per_cell", n, other, holds, has_limit);
-    }
-  };
   for (const std::string kernel : {"quadratic", "cubic"}) {
+    const auto add = [&](std::string map, const char* knob, double value, Cube cube, Holds holds, bool has_limit = true) {
+      cube.kernel = kernel;
+      probes.push_back({std::move(map), knob, value, has_limit, [=](double safety) { return holds(cube, safety); }});
+    };
+    /// Every knob that all cubes have.
+    const auto sweep = [&](const std::string& map, const Cube& cube, Holds holds, bool has_limit = true) {
+      for (const double dx : quick ? std::vector{0.01} : std::vector{0.01, 1.0}) {
+        Cube other = cube;
+        other.dx = dx;
+        add(map, "dx_m", dx, other, holds, has_limit);
+      }
+      for (const int n : quick ? std::vector{1, 8} : std::vector{1, 2, 4, 8, 27, 64}) {
+        Cube other = cube;
+        other.particles_per_cell = n;
+        add(map, "particles_per_cell", n, other, holds, has_limit);
+      }
+    };
     for (const char* transfer : {"apic", "pic", "flip"}) {
       const std::string map = fmt::format("elastic waves, {}, {}", kernel, transfer);
       const auto of = [&](double E) {
         Cube cube = elastic_cube(E);
-        cube.kernel = kernel;
         cube.motion = fmt::format("transfer = \"{}\"", transfer);
         return cube;
       };
@@ -166,35 +165,20 @@ std::vector<Probe> all_probes(bool quick) {
       sweep(map, of(1e4), keeps_energy);
     }
     const std::string gas = fmt::format("pore gas, {}, apic", kernel);
-    const auto leaven = [&](double p_ref) {
-      Cube cube = leavened(p_ref);
-      cube.kernel = kernel;
-      return cube;
-    };
     for (const double p : quick ? std::vector{4000.} : std::vector{400., 4000., 101325.})
-      add(gas, "reference_pressure_Pa", p, leaven(p), keeps_kinetic_energy);
-    sweep(gas, leaven(4000), keeps_kinetic_energy);
+      add(gas, "reference_pressure_Pa", p, leavened(p), keeps_kinetic_energy);
+    sweep(gas, leavened(4000), keeps_kinetic_energy);
     for (const char* integrator : {"forward_euler", "backward_euler"}) {
       const std::string map = fmt::format("heat, {}, {}", kernel, integrator);
       const bool has_limit = std::string_view(integrator) == "forward_euler";
-      const auto of = [&](double kappa) {
-        Cube cube = conducting(kappa, integrator);
-        cube.kernel = kernel;
-        return cube;
-      };
       for (const double kappa : quick ? std::vector{1.} : std::vector{1e-3, 1., 1e3})
-        add(map, "conductivity_W_per_mK", kappa, of(kappa), keeps_range, has_limit);
-      sweep(map, of(1), keeps_range, has_limit);
+        add(map, "conductivity_W_per_mK", kappa, conducting(kappa, integrator), keeps_range, has_limit);
+      sweep(map, conducting(1, integrator), keeps_range, has_limit);
     }
     const std::string water = fmt::format("water, {}", kernel);
-    const auto of = [&](double K) {
-      Cube cube = diffusing(K);
-      cube.kernel = kernel;
-      return cube;
-    };
     for (const double K : quick ? std::vector{1e-2} : std::vector{1e-4, 1e-2, 1.})
-      add(water, "diffusivity_m2_per_sK", K, of(K), keeps_saturations);
-    sweep(water, of(1e-2), keeps_saturations);
+      add(water, "diffusivity_m2_per_sK", K, diffusing(K), keeps_saturations);
+    sweep(water, diffusing(1e-2), keeps_saturations);
   }
   return probes;
 }

@@ -5,9 +5,9 @@
 
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
-#include "solver/io/atomic_file.h"
-#include "solver/io/provenance.h"
+#include "experiments/common/study.h"
 #include "solver/scene/settings.h"
 
 namespace bake::studies {
@@ -81,11 +81,7 @@ bool run_stability(const StudyOptions& options) {
   }
   nlohmann::json rows = nlohmann::json::array();
   for (const Edge& e : edges) rows.push_back(as_json(e));
-  std::filesystem::create_directories(options.out);
-  const nlohmann::json all{
-      {"study", "stability"}, {"quick", options.quick}, {"provenance", provenance()}, {"rule_safety", rule_safety()}, {"edges", rows}};
-  write_text_atomically(options.out / "stability.json", all.dump(2) + "\n");
-  write_text_atomically(options.out / "stability.md", as_markdown(edges));
+  write_tables(options, "stability", {{"study", "stability"}, {"rule_safety", rule_safety()}, {"edges", rows}}, as_markdown(edges));
   fmt::print("\n{}; written to {}\n", held ? "the rule is safe and sharp everywhere" : "the rule is NOT safe and sharp everywhere",
              options.out.string());
   return held;

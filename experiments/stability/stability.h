@@ -7,11 +7,8 @@
 #pragma once
 
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
-
-#include "experiments/common/study.h"
 
 namespace bake::studies {
 
@@ -38,6 +35,5 @@ inline constexpr double k_most_safety = 64;
 
 std::vector<Probe> all_probes(bool quick);
 Edge find_edge(const Probe& probe);
-bool run_stability(const StudyOptions& options);
 
 }  // namespace bake::studies

@@ -6,8 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "solver/io/atomic_file.h"
-#include "solver/io/provenance.h"
+#include "experiments/common/study.h"
 
 namespace bake::studies {
 
@@ -27,7 +26,7 @@ std::string claim(const Areas& a) {
   return fmt::format("order {:.2f} in {} to {}: {}", figure(a), bounds.low, bounds.high, verdict);
 }
 
-nlohmann::json as_json(const std::vector<Areas>& all, bool quick) {
+nlohmann::json as_json(const std::vector<Areas>& all) {
   nlohmann::json rows = nlohmann::json::array();
   for (const Areas& a : all) {
     nlohmann::json row{{"body", a.body},
@@ -44,7 +43,7 @@ nlohmann::json as_json(const std::vector<Areas>& all, bool quick) {
     }
     rows.push_back(row);
   }
-  return {{"study", "surface"}, {"quick", quick}, {"provenance", provenance()}, {"areas", rows}};
+  return {{"study", "surface"}, {"areas", rows}};
 }
 
 std::string as_markdown(const std::vector<Areas>& all) {
@@ -75,9 +74,7 @@ bool run_surface(const StudyOptions& options) {
   for (const Areas& a : all) held &= holds(a);
   const std::string text = as_markdown(all);
   fmt::print("{}", text);
-  std::filesystem::create_directories(options.out);
-  write_text_atomically(options.out / "surface.json", as_json(all, options.quick).dump(2) + "\n");
-  write_text_atomically(options.out / "surface.md", text);
+  write_tables(options, "surface", as_json(all), text);
   fmt::print("\n{}; written to {}\n", held ? "every band holds" : "NOT every band holds", options.out.string());
   return held;
 }

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "experiments/common/study.h"
-
 namespace bake::studies {
 
 /// Cells in a metre up to which orders are fitted: beyond, the noise of the particles shows (see claim_of).
@@ -36,8 +34,5 @@ bool holds(const Areas& areas);
 
 /// All bodies, forms and densities.
 std::vector<Areas> measure_areas(bool quick);
-
-/// Measures, with a line of progress for each body on standard error; prints the table; writes surface.json and surface.md.
-bool run_surface(const StudyOptions& options);
 
 }  // namespace bake::studies

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/table01_timings/timings.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
 
+#include "experiments/make/computed.h"
 #include "experiments/make/published.h"
-#include "solver/core/errors.h"
 #include "solver/scene/entry.h"
 
 namespace bake {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "experiments/table02_parameters/parameters.h"
-
 #include <fmt/format.h>
 
 #include <map>
@@ -8,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "experiments/make/computed.h"
 #include "experiments/make/published.h"
 #include "solver/core/errors.h"
 #include "solver/scene/reader.h"

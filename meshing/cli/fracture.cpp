@@ -42,16 +42,13 @@ void add_fracture_command(CLI::App& app, Action& action) {
   command.add_option("--first-particle", options->first_particle, "identity of the particle that is vertex 0 [0]")
       ->type_name("N")
       ->transform(whole_number(0, std::int64_t{1} << 40));
-  command.callback([options, &action] {
-    action = [options] {
-      Meter meter("fracture");
-      const auto tell = [&](const std::string& line) {
-        meter.clear();
-        fmt::print("{}\n", line);
-      };
-      write_fracture(*options, tell, [&](double share) { meter(share); });
-      return k_success;
+  on_request(command, action, [options] {
+    Meter meter("fracture");
+    const auto tell = [&](const std::string& line) {
+      meter.clear();
+      fmt::print("{}\n", line);
     };
+    write_fracture(*options, tell, [&](double share) { meter(share); });
   });
 }
 

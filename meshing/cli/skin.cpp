@@ -18,7 +18,7 @@ struct SkinArguments {
   double edge_length_m = 0;  ///< 0: the distance of the scene's particles
 };
 
-int skin(const SkinArguments& arguments) {
+void skin(const SkinArguments& arguments) {
   Meter meter("skin");
   const Source source = find_source(arguments.source, [&](const std::string& line) {
     meter.clear();
@@ -35,7 +35,6 @@ int skin(const SkinArguments& arguments) {
   write_mesh(arguments.out, mesh);
   fmt::print("{}: {} vertices, {} triangles, {:.6g} m^2 around {:.6g} m^3\n", arguments.out.string(), skin.points.size(),
              skin.triangles.size(), area(skin), enclosed_volume(skin));
-  return k_success;
 }
 
 }  // namespace
@@ -48,7 +47,7 @@ void add_skin_command(CLI::App& app, Action& action) {
   command.add_option("--edge-length", arguments->edge_length_m, "length of the triangles' edges [the distance of the scene's particles]")
       ->type_name("METRES")
       ->check(CLI::Range(1e-9, 1e6));
-  command.callback([arguments, &action] { action = [arguments] { return skin(*arguments); }; });
+  on_request(command, action, [arguments] { skin(*arguments); });
 }
 
 }  // namespace bake::cli

@@ -51,9 +51,7 @@ struct Aim {
   double volume_m3 = 0;
 
   Verdict judge(const TetMesh& mesh) const {
-    double volume = 0;
-    for (const Tet& tet : mesh.tets) volume += tet_volume(mesh.points, tet);
-    return {std::abs(static_cast<double>(mesh.points.size()) / static_cast<double>(vertices) - 1), std::abs(volume / volume_m3 - 1)};
+    return {std::abs(static_cast<double>(mesh.points.size()) / static_cast<double>(vertices) - 1), std::abs(volume(mesh) / volume_m3 - 1)};
   }
   /// Empty if the mesh is as asked for.
   std::string complaint(const TetMesh& mesh) const {
@@ -119,7 +117,7 @@ TetMesh make_tets(const Source& source, const TetsArguments& arguments, const Ai
   return arguments.method == "mesh3" ? only_mesh3(source, aim, tell) : mesh3_or_lattice(source, aim, tell, say);
 }
 
-int tets(const TetsArguments& arguments) {
+void tets(const TetsArguments& arguments) {
   Meter meter("tets");
   const auto tell = [&](const std::string& doing) { meter.phase(doing); };
   const auto say = [&](const std::string& line) {
@@ -143,7 +141,6 @@ int tets(const TetsArguments& arguments) {
   write_mesh(arguments.out, to_particles_mesh(mesh));
   fmt::print("{}: {} vertices ({} of them on the surface), {} tetrahedra, {:.6g} m^3, volumes of inner vertices spread by {:.1f} %\n",
              arguments.out.string(), mesh.points.size(), quality.boundary, mesh.tets.size(), quality.volume, 100 * quality.inner_spread);
-  return k_success;
 }
 
 }  // namespace
@@ -164,7 +161,7 @@ void add_tets_command(CLI::App& app, Action& action) {
           "lattice: even volumes, creases kept where vertices reach them; mesh3: sharp edges of a surface kept exactly, volumes uneven; "
           "auto: mesh3 for surfaces with edges sharper than 40 degrees, and lattice where mesh3 gives up [auto]")
       ->check(CLI::IsMember({"auto", "lattice", "mesh3"}));
-  command.callback([arguments, &action] { action = [arguments] { return tets(*arguments); }; });
+  on_request(command, action, [arguments] { tets(*arguments); });
 }
 
 }  // namespace bake::cli

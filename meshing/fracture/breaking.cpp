@@ -2,20 +2,12 @@
 #include "meshing/fracture/breaking.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 
 #include "solver/core/union_find.h"
 #include "solver/core/vector3.h"
 
 namespace bake {
-
-namespace {
-
-double volume_of(const Tet& tet, const std::vector<Point>& x) {
-  return std::abs(dot(x[tet[1]] - x[tet[0]], cross(x[tet[2]] - x[tet[0]], x[tet[3]] - x[tet[0]]))) / 6;
-}
-
-}  // namespace
 
 Breaking::Breaking(const Topology& topology, const std::vector<Point>& reference, const BreakingRule& rule)
     : topology_(topology),
@@ -29,7 +21,7 @@ Breaking::Breaking(const Topology& topology, const std::vector<Point>& reference
     limits_[e] = static_cast<float>(limit * limit);
   }
   if (void_ratio_ > 0)
-    for (const Tet& tet : topology.mesh.tets) tet_volumes_.push_back(volume_of(tet, reference));
+    for (const Tet& tet : topology.mesh.tets) tet_volumes_.push_back(std::abs(tet_volume(reference, tet)));
 }
 
 std::vector<double> Breaking::voids(const std::vector<Point>& positions, const std::vector<double>& growth) const {
@@ -37,7 +29,7 @@ std::vector<double> Breaking::voids(const std::vector<Point>& positions, const s
   for (std::size_t t = 0; t < tet_volumes_.size(); ++t) {
     const Tet& tet = topology_.mesh.tets[t];
     const double mean_growth = (growth[tet[0]] + growth[tet[1]] + growth[tet[2]] + growth[tet[3]]) / 4;
-    const double more = volume_of(tet, positions) - void_ratio_ * mean_growth * tet_volumes_[t];
+    const double more = std::abs(tet_volume(positions, tet)) - void_ratio_ * mean_growth * tet_volumes_[t];
     for (const std::int32_t e : topology_.tet_edges[t]) voids[e] += more;
   }
   return voids;

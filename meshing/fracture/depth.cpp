@@ -7,6 +7,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <cmath>
+#include <memory>
 
 namespace bake {
 namespace {
@@ -28,21 +29,19 @@ Triangles boundary_of(const Topology& topology) {
   return triangles;
 }
 
-}  // namespace
-
-struct Depth::Tree {
+struct Boundary {
   Triangles triangles;
   AabbTree tree;
 };
 
-Depth::Depth(const Topology& topology) : tree_(std::make_unique<Tree>()) {
-  tree_->triangles = boundary_of(topology);
-  tree_->tree.insert(tree_->triangles.begin(), tree_->triangles.end());
-  tree_->tree.accelerate_distance_queries();
+}  // namespace
+
+std::function<double(const Point&)> depth_in(const Topology& topology) {
+  const auto boundary = std::make_shared<Boundary>();
+  boundary->triangles = boundary_of(topology);
+  boundary->tree.insert(boundary->triangles.begin(), boundary->triangles.end());
+  boundary->tree.accelerate_distance_queries();
+  return [boundary](const Point& x) { return std::sqrt(boundary->tree.squared_distance(cgal(x))); };
 }
-
-Depth::~Depth() = default;
-
-double Depth::operator()(const Point& x) const { return std::sqrt(tree_->tree.squared_distance(cgal(x))); }
 
 }  // namespace bake

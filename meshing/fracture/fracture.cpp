@@ -70,11 +70,6 @@ double volume_of(const std::vector<Piece>& pieces) {
   return std::accumulate(pieces.begin(), pieces.end(), 0., [](double sum, const Piece& piece) { return sum + piece.volume_m3; });
 }
 
-double volume_of(const TetMesh& mesh) {
-  return std::accumulate(mesh.tets.begin(), mesh.tets.end(), 0.,
-                         [&](double sum, const Tet& tet) { return sum + tet_volume(mesh.points, tet); });
-}
-
 /// One surface as it is written, and its description.
 class Surface {
  public:
@@ -99,7 +94,7 @@ class Surface {
 
   const json& report() const { return report_; }
 
-  Mesh mesh(const RunFrames& run, int frame, const Depth& depth) const {
+  Mesh mesh(const RunFrames& run, int frame, const std::function<double(const Point&)>& depth) const {
     Mesh mesh;
     mesh.time_s = run.time_s(frame);
     for (const Point& x : points_) mesh.points.insert(mesh.points.end(), x.begin(), x.end());
@@ -157,13 +152,13 @@ void write_fracture(const FractureOptions& options, const std::function<void(con
   if (rule.void_ratio > 0 && first_volumes.empty())
     throw InputError(fmt::format("{}: found no column 'volume' in its frames, needed for --void-ratio", options.results.string()));
   Breaking breaking(topology, run.positions(), rule);
-  const Depth depth(topology);
+  const auto depth = depth_in(topology);
   std::filesystem::create_directories(options.out);
 
   json report{{"mesh", options.mesh.string()}, {"results", options.results.string()},
               {"reference_frame", reference},  {"reference_time_s", run.time_s(reference)},
               {"stretch", rule.stretch},       {"smallest_gap_m", rule.smallest_gap_m},
-              {"void_ratio", rule.void_ratio}, {"mesh_volume_m3", volume_of(topology.mesh)},
+              {"void_ratio", rule.void_ratio}, {"mesh_volume_m3", volume(topology.mesh)},
               {"frames", json::array()}};
   for (int frame = 0; frame <= frames.back(); ++frame) {
     progress(frame / (frames.back() + 1.0));

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <unordered_map>
 
 #include "solver/core/errors.h"
 #include "solver/core/union_find.h"
@@ -36,31 +35,18 @@ double largest_coordinate(const std::vector<Point>& points) {
 }
 
 /// The points that faces use, all finite and of sane size.
-Soup used_part(const PolygonSoup& soup, Mended& mended) {
+Soup used_part(const PolygonSoup& soup) {
   constexpr std::size_t k_most = std::numeric_limits<std::int32_t>::max() / 4;
   if (soup.faces.empty()) refuse("is empty: it has no triangles");
   if (soup.points.size() > k_most || soup.faces.size() > k_most) refuse(fmt::format("has more than {} points or faces", k_most));
   Soup result;
-  std::vector<std::int32_t> number(soup.points.size(), -1);
   for (const auto& polygon : soup.faces) {
-    Face& face = result.faces.emplace_back();
-    for (const std::int64_t v : polygon) {
-      if (number[v] < 0) {
-        for (const double c : soup.points[v])
-          if (!std::isfinite(c)) refuse(fmt::format("vertex {} has a coordinate that is no finite number", v));
-        number[v] = 0;
-      }
-      face.push_back(static_cast<std::int32_t>(v));
-    }
+    for (const std::int64_t v : polygon)
+      for (const double c : soup.points[v])
+        if (!std::isfinite(c)) refuse(fmt::format("vertex {} has a coordinate that is no finite number", v));
+    result.faces.emplace_back(polygon.begin(), polygon.end());
   }
-  for (std::size_t v = 0; v < number.size(); ++v) {
-    if (number[v] < 0) continue;
-    number[v] = static_cast<std::int32_t>(result.points.size());
-    result.points.push_back(soup.points[v]);
-  }
-  for (Face& face : result.faces)
-    for (std::int32_t& v : face) v = number[v];
-  mended.loose = soup.points.size() - result.points.size();
+  result.points = take_used_points(soup.points, result.faces);
   return result;
 }
 
@@ -373,7 +359,7 @@ std::string Mended::text() const {
 }
 
 TriangleMesh clean_surface(const PolygonSoup& polygons, Mended& mended) {
-  Soup soup = used_part(polygons, mended);
+  Soup soup = used_part(polygons);
   check_size(soup.points);
   join_same_places(soup, mended);
   if (polygons.repeats_corners) mended.joined = mended.without_area = 0;
@@ -384,17 +370,7 @@ TriangleMesh clean_surface(const PolygonSoup& polygons, Mended& mended) {
   drop_doubled(mesh.triangles, mended);
   turn_one_way(mesh.triangles, mended);
   turn_flat_diagonals(soup.points, mesh.triangles, mended);
-  // what nothing uses any more is left out
-  std::vector<std::int32_t> number(soup.points.size(), -1);
-  for (const Triangle& t : mesh.triangles)
-    for (const std::int32_t v : t) number[v] = 0;
-  for (std::size_t v = 0; v < number.size(); ++v)
-    if (number[v] == 0) {
-      number[v] = static_cast<std::int32_t>(mesh.points.size());
-      mesh.points.push_back(soup.points[v]);
-    }
-  for (Triangle& t : mesh.triangles)
-    for (std::int32_t& v : t) v = number[v];
+  mesh.points = take_used_points(soup.points, mesh.triangles);
   if (mesh.triangles.empty()) refuse("is empty: none of its faces has an area");
   return mesh;
 }

@@ -13,7 +13,6 @@ namespace bake {
 struct Mended {
   std::size_t joined = 0;        ///< corners that stood at the place of another one
   double farthest_joined_m = 0;  ///< ... and how far from it at most
-  std::size_t loose = 0;         ///< points that no face uses
   std::size_t without_area = 0;  ///< faces
   std::size_t doubled = 0;       ///< faces
   std::size_t concave = 0;       ///< faces that were split otherwise than as a fan

@@ -231,15 +231,21 @@ PolygonSoup read_stl(std::string_view bytes) {
   return soup;
 }
 
-enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+/// Takes a number of one of PLY's types from a binary file.
+using PlyType = double (*)(Bytes&);
+
+template <class T>
+double taken(Bytes& bytes) {
+  return static_cast<double>(bytes.take<T>());
+}
 
 PlyType ply_type(const Lines& lines, std::string_view name) {
-  constexpr std::pair<const char*, PlyType> k_names[] = {
-      {"char", PlyType::int8},     {"int8", PlyType::int8},       {"uchar", PlyType::uint8},    {"uint8", PlyType::uint8},
-      {"short", PlyType::int16},   {"int16", PlyType::int16},     {"ushort", PlyType::uint16},  {"uint16", PlyType::uint16},
-      {"int", PlyType::int32},     {"int32", PlyType::int32},     {"uint", PlyType::uint32},    {"uint32", PlyType::uint32},
-      {"float", PlyType::float32}, {"float32", PlyType::float32}, {"double", PlyType::float64}, {"float64", PlyType::float64}};
-  for (const auto& [known, type] : k_names)
+  constexpr std::pair<const char*, PlyType> k_types[] = {
+      {"char", taken<std::int8_t>},   {"int8", taken<std::int8_t>},   {"uchar", taken<std::uint8_t>},   {"uint8", taken<std::uint8_t>},
+      {"short", taken<std::int16_t>}, {"int16", taken<std::int16_t>}, {"ushort", taken<std::uint16_t>}, {"uint16", taken<std::uint16_t>},
+      {"int", taken<std::int32_t>},   {"int32", taken<std::int32_t>}, {"uint", taken<std::uint32_t>},   {"uint32", taken<std::uint32_t>},
+      {"float", taken<float>},        {"float32", taken<float>},      {"double", taken<double>},        {"float64", taken<double>}};
+  for (const auto& [known, type] : k_types)
     if (name == known) return type;
   lines.refuse(fmt::format("found the type {}, allowed: char, uchar, short, ushort, int, uint, float, double", name));
 }
@@ -265,28 +271,7 @@ class PlyNumbers {
         bytes_(is_text_ ? std::string_view() : body, (format == "binary_big_endian") != (std::endian::native == std::endian::big)),
         size_(body.size()) {}
 
-  double take(PlyType type) {
-    if (is_text_) return take_word();
-    switch (type) {
-      case PlyType::int8:
-        return bytes_.take<std::int8_t>();
-      case PlyType::uint8:
-        return bytes_.take<std::uint8_t>();
-      case PlyType::int16:
-        return bytes_.take<std::int16_t>();
-      case PlyType::uint16:
-        return bytes_.take<std::uint16_t>();
-      case PlyType::int32:
-        return bytes_.take<std::int32_t>();
-      case PlyType::uint32:
-        return bytes_.take<std::uint32_t>();
-      case PlyType::float32:
-        return bytes_.take<float>();
-      default:
-        return bytes_.take<double>();
-    }
-  }
-
+  double take(PlyType type) { return is_text_ ? take_word() : type(bytes_); }
   /// A number of things that each take a byte at least.
   std::int64_t take_count(PlyType type) {
     const double count = take(type);

@@ -2,17 +2,15 @@
 // Reads a surface, has it cleaned, and reports what is wrong with it then.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
+#include "meshing/solid/cgal_surface.h"
 #include "meshing/solid/cleaning.h"
-#include "meshing/solid/triangle_mesh.h"
 #include "solver/core/errors.h"
 #include "solver/core/union_find.h"
 #include "solver/core/vector3.h"
@@ -103,18 +101,8 @@ class Examination {
     }
   }
 
-  Surface surface() const {
-    std::vector<Kernel::Point_3> points;
-    for (const Point& x : mesh_.points) points.emplace_back(x[0], x[1], x[2]);
-    std::vector<std::vector<std::size_t>> faces;
-    for (const Triangle& t : mesh_.triangles) faces.emplace_back(t.begin(), t.end());
-    Surface result;
-    processing::polygon_soup_to_polygon_mesh(points, faces, result);
-    return result;
-  }
-
   void check_inside() {
-    Surface closed = surface();
+    Surface closed = cgal_surface<Surface, Kernel>(mesh_);
     using Face = Surface::Face_index;
     std::vector<std::pair<Face, Face>> crossing;
     processing::self_intersections(closed, std::back_inserter(crossing));
@@ -145,7 +133,7 @@ class Examination {
   void turn_all(Surface& closed) {
     for (Triangle& t : mesh_.triangles) std::swap(t[1], t[2]);
     mended_.turned = true;
-    closed = surface();
+    closed = cgal_surface<Surface, Kernel>(mesh_);
   }
 
   TriangleMesh& mesh_;

@@ -3,13 +3,12 @@
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cmath>
 
-#include "meshing/solid/triangle_mesh.h"
+#include "meshing/solid/cgal_surface.h"
 #include "solver/core/vector3.h"
 
 namespace bake {
@@ -19,20 +18,13 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, CGAL::AABB_face_graph_triangle_primitive<Surface>>>;
 
-Surface surface_of(const TriangleMesh& mesh) {
-  std::vector<Kernel::Point_3> points;
-  for (const Point& x : mesh.points) points.emplace_back(x[0], x[1], x[2]);
-  std::vector<std::vector<std::size_t>> faces;
-  for (const Triangle& t : mesh.triangles) faces.emplace_back(t.begin(), t.end());
-  Surface surface;
-  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, faces, surface);
-  return surface;
-}
-
 class TriangleSolid final : public Shape {
  public:
   explicit TriangleSolid(const TriangleMesh& mesh)
-      : mesh_(mesh), surface_(surface_of(mesh)), tree_(faces(surface_).first, faces(surface_).second, surface_), side_(tree_) {
+      : mesh_(mesh),
+        surface_(cgal_surface<Surface, Kernel>(mesh)),
+        tree_(faces(surface_).first, faces(surface_).second, surface_),
+        side_(tree_) {
     tree_.accelerate_distance_queries();
     box_ = {mesh.points[0], mesh.points[0]};
     for (const Point& x : mesh.points)

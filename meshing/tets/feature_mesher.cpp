@@ -7,7 +7,6 @@
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polyhedral_mesh_domain_with_features_3.h>
 #include <CGAL/Random.h>
 #include <CGAL/exude_mesh_3.h>
@@ -19,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "meshing/solid/cgal_surface.h"
 #include "solver/core/errors.h"
 
 namespace bake {
@@ -31,16 +31,6 @@ using Domain = CGAL::Polyhedral_mesh_domain_with_features_3<Kernel>;
 using Triangulation = CGAL::Mesh_triangulation_3<Domain, CGAL::Default, CGAL::Parallel_tag>::type;
 using Complex = CGAL::Mesh_complex_3_in_triangulation_3<Triangulation, Domain::Corner_index, Domain::Curve_index>;
 using Criteria = CGAL::Mesh_criteria_3<Triangulation>;
-
-Polyhedron polyhedron(const TriangleMesh& mesh) {
-  std::vector<Kernel::Point_3> points;
-  for (const Point& x : mesh.points) points.emplace_back(x[0], x[1], x[2]);
-  std::vector<std::vector<std::size_t>> faces;
-  for (const Triangle& t : mesh.triangles) faces.emplace_back(t.begin(), t.end());
-  Polyhedron result;
-  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, faces, result);
-  return result;
-}
 
 Complex refine(const Polyhedron& surface, double size) {
   namespace parameters = CGAL::parameters;
@@ -98,7 +88,7 @@ double size_for(double vertices, double volume, double area) {
 
 TetMesh feature_tets(const TriangleMesh& surface, std::size_t target, const Tell& tell) {
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
-  const Polyhedron closed = polyhedron(surface);
+  const auto closed = cgal_surface<Polyhedron, Kernel>(surface);
   const double volume = enclosed_volume(surface), whole_area = area(surface);
   const auto miss = [&](const TetMesh& mesh) {
     return std::abs(static_cast<double>(mesh.points.size()) / static_cast<double>(target) - 1);

@@ -128,32 +128,16 @@ class Repair {
   bool dropped_ = false;
 };
 
-/// The kept tetrahedra and their vertices.
-TetMesh selection(const std::vector<Point>& points, const std::vector<Tet>& tets, const std::vector<char>& kept) {
-  std::vector<std::int32_t> number(points.size(), -1);
-  for (std::size_t t = 0; t < tets.size(); ++t)
-    for (int k = 0; kept[t] && k < 4; ++k) number[tets[t][k]] = 0;
-  TetMesh mesh;
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    if (number[v] < 0) continue;
-    number[v] = static_cast<std::int32_t>(mesh.points.size());
-    mesh.points.push_back(points[v]);
-  }
-  for (std::size_t t = 0; t < tets.size(); ++t)
-    if (kept[t]) mesh.tets.push_back({number[tets[t][0]], number[tets[t][1]], number[tets[t][2]], number[tets[t][3]]});
-  return mesh;
-}
-
 }  // namespace
 
-void drop_until_manifold(const std::vector<Point>& points, const std::vector<Tet>& tets, const std::vector<Tet>& neighbours,
-                         std::vector<char>& kept) {
-  Repair(points, tets, neighbours, kept).run();
-}
-
 TetMesh manifold_part(const std::vector<Point>& points, const std::vector<Tet>& tets, std::vector<char> kept) {
-  drop_until_manifold(points, tets, tet_neighbours(tets, points.size()), kept);
-  return selection(points, tets, kept);
+  const std::vector<Tet> neighbours = tet_neighbours(tets, points.size());
+  Repair(points, tets, neighbours, kept).run();
+  TetMesh mesh;
+  for (std::size_t t = 0; t < tets.size(); ++t)
+    if (kept[t]) mesh.tets.push_back(tets[t]);
+  mesh.points = take_used_points(points, mesh.tets);
+  return mesh;
 }
 
 }  // namespace bake

@@ -70,6 +70,12 @@ double relative_spread(const std::vector<double>& values) {
 
 double tet_volume(const Point& a, const Point& b, const Point& c, const Point& d) { return dot(b - a, cross(c - a, d - a)) / 6; }
 
+double volume(const TetMesh& mesh) {
+  double sum = 0;
+  for (const Tet& tet : mesh.tets) sum += tet_volume(mesh.points, tet);
+  return sum;
+}
+
 std::vector<double> vertex_volumes(const TetMesh& mesh) {
   std::vector<double> volumes(mesh.points.size(), 0);
   for (const Tet& tet : mesh.tets)
@@ -134,10 +140,10 @@ TetQuality tet_quality(const TetMesh& mesh) {
   for (const Triangle& t : boundary)
     for (const std::int32_t v : t) outer[v] = 1;
   TetQuality quality;
+  quality.volume = volume(mesh);
   quality.least_angle = 180;
   for (const Tet& tet : mesh.tets) {
     for (const std::int32_t v : tet) used[v] = 1;
-    quality.volume += tet_volume(mesh.points, tet);
     quality.least_angle = std::min(quality.least_angle, least_dihedral(mesh.points, tet));
   }
   const std::vector<double> volumes = vertex_volumes(mesh);

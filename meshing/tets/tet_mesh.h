@@ -35,11 +35,30 @@ inline double tet_volume(const std::vector<Point>& points, const Tet& tet) {
   return tet_volume(points[tet[0]], points[tet[1]], points[tet[2]], points[tet[3]]);
 }
 
+double volume(const TetMesh& mesh);  ///< [m^3]
+
 /// The volume of each vertex, a quarter of those of its tetrahedra [m^3]; they add up to the volume of the mesh.
 std::vector<double> vertex_volumes(const TetMesh& mesh);
 
 /// For each tetrahedron and corner the tetrahedron behind the opposite face; -1: none. Throws InputError if more than two share a face.
 std::vector<Tet> tet_neighbours(const std::vector<Tet>& tets, std::size_t vertices);
+
+/// The points that cells use, in their order; the cells get their new numbers.
+template <class Cell>
+std::vector<Point> take_used_points(const std::vector<Point>& points, std::vector<Cell>& cells) {
+  std::vector<std::int32_t> number(points.size(), -1);
+  for (const Cell& cell : cells)
+    for (const std::int32_t v : cell) number[v] = 0;
+  std::vector<Point> used;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (number[v] < 0) continue;
+    number[v] = static_cast<std::int32_t>(used.size());
+    used.push_back(points[v]);
+  }
+  for (Cell& cell : cells)
+    for (std::int32_t& v : cell) v = number[v];
+  return used;
+}
 
 /// The faces that belong to one tetrahedron only.
 std::vector<Triangle> boundary_triangles(const std::vector<Tet>& tets, const std::vector<Tet>& neighbours);

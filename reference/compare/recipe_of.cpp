@@ -16,8 +16,8 @@ namespace {
 template <class... Structs>
 constexpr std::size_t k_keys = (0 + ... + std::tuple_size_v<decltype(Structs::parameters())>);
 static_assert(
-    k_keys<DomainSettings, GridSettings, SurfaceSettings, Oven, Material, Body, Collider, Grip, Emitter, Skin> == 68 &&
-        k_keys<Motion::Settings, Heat::Settings, Water::Settings, Elasticity::Settings, Plasticity::Settings, Leavening::Settings> == 19 &&
+    k_keys<DomainSettings, GridSettings, SurfaceSettings, Oven, Material, Body, Collider, Grip, DomainFace, Emitter, Skin> == 75 &&
+        k_keys<Motion::Settings, Heat::Settings, Water::Settings, Elasticity::Settings, Plasticity::Settings, Leavening::Settings> == 22 &&
         k_keys<Heat::Material, Water::Material, Elasticity::Material, Plasticity::Material, Leavening::Material> == 20,
     "scenes have another number of keys: hand the new one to the textbook or refuse it here, so that it is not left out silently");
 
@@ -39,10 +39,10 @@ textbook::Rule plain(Contact contact) {
 }
 
 textbook::Rule plain(Face face) {
-  return face == Face::open     ? textbook::Rule::open
-         : face == Face::sticky ? textbook::Rule::sticky
-         : face == Face::slip   ? textbook::Rule::slip
-                                : textbook::Rule::separating;
+  return face == Face::open || face == Face::periodic ? textbook::Rule::open
+         : face == Face::sticky                       ? textbook::Rule::sticky
+         : face == Face::slip                         ? textbook::Rule::slip
+                                                      : textbook::Rule::separating;
 }
 
 textbook::Material plain(const Material& m) {
@@ -104,10 +104,17 @@ void refuse_fracture(const Scene& scene) {
                                    scene.file.string(), m.name, energy));
 }
 
+void refuse_settling(const Scene& scene) {
+  if (const double damping = scene.of<Motion>().settle_damping_per_s; scene.lists(Motion::name) && damping > 0)
+    throw InputError(fmt::format("{}: motion.settle_damping_per_s: found {:g}, allowed: 0, since the textbook does not settle",
+                                 scene.file.string(), damping));
+}
+
 }  // namespace
 
 textbook::Recipe recipe_of(const Scene& scene) {
   refuse_unknown_effects(scene);
+  refuse_settling(scene);
   refuse_fracture(scene);
   textbook::Recipe r;
   r.motion = scene.lists(Motion::name);
@@ -128,6 +135,10 @@ textbook::Recipe recipe_of(const Scene& scene) {
   const Face faces[3][2] = {{domain.x_min, domain.x_max}, {domain.y_min, domain.y_max}, {domain.z_min, domain.z_max}};
   for (int axis = 0; axis < 3; ++axis)
     for (int side = 0; side < 2; ++side) r.faces[axis][side] = plain(faces[axis][side]);
+  for (const DomainFace& face : scene.faces)
+    if (face.passes_heat()) r.mirrors[static_cast<int>(face.at) / 2][static_cast<int>(face.at) % 2] = false;
+  for (int axis = 0; axis < 3; ++axis)
+    if (domain.is_periodic(axis)) r.periodic[axis] = true, r.mirrors[axis][0] = r.mirrors[axis][1] = false;
   r.face_friction = domain.friction;
   r.kernel = scene.grid.kernel == KernelOrder::cubic ? textbook::Kernel::cubic : textbook::Kernel::quadratic;
 
@@ -136,7 +147,6 @@ textbook::Recipe recipe_of(const Scene& scene) {
                : motion.transfer == Motion::Transfer::pic ? textbook::Transfer::pic
                                                           : textbook::Transfer::apic;
   r.flip_blend = motion.flip_blend;
-  r.gravity = plain(motion.gravity_m_per_s2);
   r.inertia_scale = motion.inertia_scale;
 
   const auto& heat = scene.of<Heat>();
@@ -157,8 +167,9 @@ textbook::Recipe recipe_of(const Scene& scene) {
   return r;
 }
 
-textbook::Surroundings surroundings_of(const Scene& scene, double time_s) {
+textbook::Surroundings surroundings_of(const Scene& scene, double time_s, double dt) {
   textbook::Surroundings s;
+  s.gravity = plain(scene.of<Motion>().gravity_m_per_s2.mean(time_s, time_s + dt));
   s.air = {scene.oven.heat_transfer_coefficient_W_per_m2K(time_s), scene.oven.temperature_C(time_s),
            scene.oven.equilibrium_saturation(time_s)};
   for (const Collider& collider : scene.colliders) {
@@ -174,6 +185,24 @@ textbook::Surroundings surroundings_of(const Scene& scene, double time_s) {
     s.solids.push_back(solid_at(grip, time_s));
     s.solids.back().rule = textbook::Rule::sticky;
     s.solids.back().is_grip = true;
+  }
+  for (const DomainFace& face : scene.faces) {
+    if (!face.passes_heat()) continue;
+    const int axis = static_cast<int>(face.at) / 2;
+    const bool far = static_cast<int>(face.at) % 2 != 0;
+    const textbook::Recipe recipe = recipe_of(scene);
+    const double at = recipe.low[axis] + (far ? recipe.cells[axis] * recipe.dx : 0);
+    textbook::Solid wall;
+    textbook::Vector inward;
+    inward[axis] = far ? -1 : 1;
+    wall.distance = [=](const textbook::Vector& x) { return inward[axis] * (x[axis] - at); };
+    wall.normal = [=](const textbook::Vector&) { return inward; };
+    if (face.temperature_C) {
+      wall.theta = (*face.temperature_C)(time_s);
+      wall.beta = face.heat_transfer_coefficient_W_per_m2K.value_or(k_infinity);
+    }
+    if (face.heat_flux_W_per_m2) wall.flux = (*face.heat_flux_W_per_m2)(time_s);
+    s.walls.push_back(wall);
   }
   return s;
 }

@@ -121,7 +121,7 @@ void SideBySide::pour_due() {
 }
 
 void SideBySide::step_textbook(double dt, double begin) {
-  const textbook::Surroundings surroundings = surroundings_of(scene_, begin);
+  const textbook::Surroundings surroundings = surroundings_of(scene_, begin, dt);
   baker_.step(dt, surroundings);
   if (!twin_) return;
   twin_->round_to_single();

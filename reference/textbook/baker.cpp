@@ -47,7 +47,7 @@ void Baker::cover(const Sheet& sheet, const std::vector<Vector>& points, const s
 }
 
 void Baker::step(double dt, const Surroundings& surroundings) {
-  scatter(dt);
+  scatter(dt, surroundings.gravity);
   update_nodes(dt, surroundings);
   gather(dt, surroundings);
 }
@@ -77,7 +77,7 @@ void Baker::round_to_single() {
     }
 }
 
-void Baker::scatter(double dt) {
+void Baker::scatter(double dt, const Vector& gravity) {
   grid_.clear();
   for (Particle& p : particles_) {
     const Material& m = material(p);
@@ -102,11 +102,12 @@ void Baker::scatter(double dt) {
     });
     p.Q_scattered = p.Q();
   }
+  grid_.join();  // there are no skins between periodic faces
   for (const Skin& skin : skins_) {
     const std::vector<Vector> force = skin_forces(skin);
     for (std::size_t i = 0; i < skin.vertices.size(); ++i)
       for_each_node(grid_, skin.vertices[i].x, recipe_.kernel, [&](const Index& at, const Overlap& o) {
-        scatter_vertex(skin, skin.vertices[i], force[i], recipe_, dt, o, grid_[at]);
+        scatter_vertex(skin, skin.vertices[i], force[i], gravity, recipe_, dt, o, grid_[at]);
       });
   }
 }
@@ -117,17 +118,18 @@ void Baker::update_nodes(double dt, const Surroundings& surroundings) {
       measure_published_surface(particles_, surroundings, grid_);
     else
       measure_surface(surroundings, grid_);
+    grid_.repeat();
   }
   grid_.for_each([&](const Index& i, Node& node) {
     node.area = open_area(node);
-    if (recipe_.motion && !(node.volume > 0) && node.mass > 0) update_velocity(recipe_, dt, node);  // skin alone
+    if (recipe_.motion && !(node.volume > 0) && node.mass > 0) update_velocity(recipe_, surroundings.gravity, dt, node);  // skin alone
     if (!(node.volume > 0)) return;
     if (recipe_.water) update_water(recipe_, surroundings, dt, node);
     if (recipe_.heat) {
       hold_temperature(recipe_, surroundings, grid_.position(i), node);
       update_heat(recipe_, dt, node);
     }
-    if (recipe_.motion) update_velocity(recipe_, dt, node);
+    if (recipe_.motion) update_velocity(recipe_, surroundings.gravity, dt, node);
   });
   if (recipe_.motion) {
     std::vector<Vector> after(grid_.count());
@@ -137,6 +139,7 @@ void Baker::update_nodes(double dt, const Surroundings& surroundings) {
     grid_.for_each([&](const Index& i, Node& node) { node.v = after[grid_.number(i)]; });
   }
   if (recipe_.heat && recipe_.heat_step == HeatStep::backward_euler) conduct_implicitly(particles_, dt, grid_);
+  grid_.repeat();
 }
 
 void Baker::gather(double dt, const Surroundings& surroundings) {

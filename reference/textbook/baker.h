@@ -46,7 +46,7 @@ class Baker {
   static double bytes(const Recipe& recipe) { return static_cast<double>(Grid::count(recipe)) * (sizeof(Node) + 10 * sizeof(double)); }
 
  private:
-  void scatter(double dt);
+  void scatter(double dt, const Vector& gravity);
   void update_nodes(double dt, const Surroundings&);
   void gather(double dt, const Surroundings&);
   void update_stress(Particle&) const;

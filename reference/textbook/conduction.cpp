@@ -13,10 +13,11 @@ Nodal conduction(const std::vector<Particle>& particles, const Grid& grid, const
   Nodal heat(theta.size(), 0);
   for (const Particle& p : particles) {
     Vector grad_theta;
-    for_each_node(grid, p.x, recipe.kernel, [&](const Index& i, const Overlap& o) { grad_theta += theta[grid.number(i)] * o.grad_w; });
+    for_each_node(grid, p.x, recipe.kernel,
+                  [&](const Index& i, const Overlap& o) { grad_theta += theta[grid.number(grid.home(i))] * o.grad_w; });
     const double kappa = recipe.materials[static_cast<std::size_t>(p.material)].kappa;
     for_each_node(grid, p.x, recipe.kernel,
-                  [&](const Index& i, const Overlap& o) { heat[grid.number(i)] += p.V() * kappa * dot(grad_theta, o.grad_w); });
+                  [&](const Index& i, const Overlap& o) { heat[grid.number(grid.home(i))] += p.V() * kappa * dot(grad_theta, o.grad_w); });
   }
   return heat;
 }
@@ -33,7 +34,7 @@ void conduct_implicitly(const std::vector<Particle>& particles, double dt, Grid&
   const std::size_t n = grid.count();
   Nodal H(n, 0), theta(n, 0);
   grid.for_each([&](const Index& i, const Node& node) {
-    H[grid.number(i)] = node.heat_weight;
+    H[grid.number(i)] = grid.home(i) == i ? node.heat_weight : 0;
     theta[grid.number(i)] = node.theta;
   });
   const auto residual_of = [&](Nodal heat) {  // only of the nodes that are free to change

@@ -114,11 +114,16 @@ inline void expel(const Recipe& recipe, const Surroundings& surroundings, Vector
   }
 }
 
-/// A particle never leaves the domain: it is held at a closed face. Returns whether it left through an open one.
+/// A particle never leaves the domain: it is held at a closed face, and what passes a periodic one comes in at the other. Returns whether
+/// it left through an open one.
 inline bool leaves(const Recipe& recipe, Vector& x) {
   bool left = false;
   for (int d = 0; d < 3; ++d) {
     const double low = recipe.low[d], high = low + recipe.cells[d] * recipe.dx;
+    if (recipe.periodic[d]) {
+      x[d] -= (high - low) * std::floor((x[d] - low) / (high - low));
+      continue;
+    }
     left |= (x[d] < low && recipe.faces[d][0] == Rule::open) || (x[d] > high && recipe.faces[d][1] == Rule::open);
     x[d] = std::clamp(x[d], low, high);
   }

@@ -44,6 +44,15 @@ struct Node {
   double theta_change = 0;  ///< theta_i' - theta_i [K]
   double heat_weight = 0;   ///< heat per degree; 0 if theta is held [J/K]
   Vector v, old_v;          ///< [m/s]
+
+  /// The sums over the particles of the same node beyond a periodic face.
+  void add(const Node& other) {
+    momentum += other.momentum, old_momentum += other.old_momentum;
+    for (double Node::*sum :
+         {&Node::volume, &Node::mass, &Node::water, &Node::water_flux, &Node::water_room, &Node::evaporability, &Node::permeability,
+          &Node::water_spread, &Node::heat_capacity, &Node::heat_content, &Node::heat_change, &Node::conductivity})
+      this->*sum += other.*sum;
+  }
 };
 
 using Index = std::array<int, 3>;
@@ -70,6 +79,30 @@ class Grid {
     return (static_cast<std::size_t>(i[0]) * static_cast<std::size_t>(size_[1]) + static_cast<std::size_t>(i[1])) *
                static_cast<std::size_t>(size_[2]) +
            static_cast<std::size_t>(i[2]);
+  }
+  /// The node between the periodic faces that is the same as node i.
+  Index home(Index i) const {
+    for (std::size_t d = 0; d < 3; ++d) {
+      if (!recipe_.periodic[d]) continue;
+      const int cells = recipe_.cells[d];
+      i[d] = k_margin + ((i[d] - k_margin) % cells + cells) % cells;
+    }
+    return i;
+  }
+  /// Nodes that are the same get the sums of all of them.
+  void join() {
+    if (!recipe_.is_periodic()) return;
+    for_each([&](const Index& i, const Node& node) {
+      if (home(i) != i) (*this)[home(i)].add(node);
+    });
+    repeat();
+  }
+  /// Nodes beyond a periodic face become what the same node between them is.
+  void repeat() {
+    if (!recipe_.is_periodic()) return;
+    for_each([&](const Index& i, Node& node) {
+      if (home(i) != i) node = (*this)[home(i)];
+    });
   }
   bool has(const Index& i) const {
     for (std::size_t d = 0; d < 3; ++d)

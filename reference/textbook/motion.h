@@ -26,10 +26,10 @@ inline void scatter_stress(const Particle& p, double dt, const Overlap& o, Node&
 
 /// v_i' = momentum / mass + dt g. Vapour leaves after the step with this velocity, so that drying pushes nothing.
 /// [Ding19 Eq. 26-27]
-inline void update_velocity(const Recipe& recipe, double dt, Node& node) {
+inline void update_velocity(const Recipe& recipe, const Vector& gravity, double dt, Node& node) {
   const double mass = node.mass + recipe.inertia_scale * (node.moved_water + node.evaporated);
   if (node.mass > 0) node.old_v = (1 / node.mass) * node.old_momentum;
-  if (mass > 0) node.v = (1 / mass) * node.momentum + (dt / recipe.inertia_scale) * recipe.gravity;
+  if (mass > 0) node.v = (1 / mass) * node.momentum + (dt / recipe.inertia_scale) * gravity;
 }
 
 /// What a particle sees of the nodes' velocities.

@@ -59,17 +59,19 @@ struct Recipe {
   bool motion = false, heat = false, water = false, elasticity = false, plasticity = false, leavening = false;
   std::vector<Material> materials;
 
-  double dx = 0;          ///< [m]
-  Vector low;             ///< corner of the domain, a node [m]
-  int cells[3] = {};      ///< of the domain
-  Rule faces[3][2] = {};  ///< lower and upper face of each axis
+  double dx = 0;                             ///< [m]
+  Vector low;                                ///< corner of the domain, a node [m]
+  int cells[3] = {};                         ///< of the domain
+  Rule faces[3][2] = {};                     ///< lower and upper face of each axis
+  bool periodic[3] = {false, false, false};  ///< the two faces of an axis are one
+  bool is_periodic() const { return periodic[0] || periodic[1] || periodic[2]; }
+  bool mirrors[3][2] = {{true, true}, {true, true}, {true, true}};  ///< faces that dough is mirrored at when its surface is measured
   double face_friction = 0;
   Kernel kernel = Kernel::quadratic;
   Gradient gradient = Gradient::moments;
 
   Transfer transfer = Transfer::apic;
   double flip_blend = 0.95;
-  Vector gravity;            ///< [m/s^2]
   double inertia_scale = 1;  ///< inertial mass per mass
 
   HeatStep heat_step = HeatStep::forward_euler;
@@ -99,7 +101,8 @@ struct Solid {
   bool expels = false;               ///< also moves particles out, one by one
   bool is_grip = false;              ///< holds what is inside it: no surface of its own
   std::optional<double> theta = {};  ///< [C]; a collider without it passes no heat
-  double beta = 0;                   ///< [W/(m^2 K)]
+  double beta = 0;                   ///< [W/(m^2 K)]; infinite: the dough's surface has that temperature
+  double flux = 0;                   ///< that comes in whatever the temperatures are [W/m^2]
 };
 
 struct Air {
@@ -110,8 +113,10 @@ struct Air {
 
 /// The surroundings of the dough during one step.
 struct Surroundings {
+  Vector gravity;  ///< [m/s^2]
   Air air;
   std::vector<Solid> solids;
+  std::vector<Solid> walls;  ///< faces of the domain that pass heat, as solids beyond them, whose rules for motion are the faces'
 };
 
 }  // namespace bake::textbook

@@ -121,12 +121,12 @@ inline std::vector<Vector> skin_forces(const Skin& skin) {
 }
 
 /// Mass and momentum of a vertex, with the impulse dt f of the step. Gravity pulls its mass, not its inertia. The areas are for water.
-inline void scatter_vertex(const Skin& skin, const Vertex& p, const Vector& force, const Recipe& recipe, double dt, const Overlap& o,
-                           Node& node) {
+inline void scatter_vertex(const Skin& skin, const Vertex& p, const Vector& force, const Vector& gravity, const Recipe& recipe, double dt,
+                           const Overlap& o, Node& node) {
   const double mass = skin.mass(p), inertia = recipe.inertia_scale * skin.sheet.inertia * mass;
   const Vector v = recipe.transfer == Transfer::apic ? p.v + p.C * o.r : p.v;
   node.mass += o.w * inertia;
-  node.momentum += o.w * (inertia * v + dt * force + (-dt * (skin.sheet.inertia - 1) * mass) * recipe.gravity);
+  node.momentum += o.w * (inertia * v + dt * force + (-dt * (skin.sheet.inertia - 1) * mass) * gravity);
   node.skin_area += o.w * p.covers * p.area;
   node.closed_area += o.w * (1 - skin.sheet.permeance) * p.covers * p.area;
 }

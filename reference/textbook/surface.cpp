@@ -39,51 +39,61 @@ Vector gradient(const Field& psi, const Index& i) {
   return g;
 }
 
-/// Faces of the domain are mirrors: node i and its images in all faces that are at most four nodes away.
+/// Faces of the domain that pass no heat are mirrors: node i and its images in all faces that are at most four nodes away.
 double mirrored_volume(const Grid& grid, Index i, std::size_t axis = 0) {
   if (axis == 3) return grid.has(i) ? grid[i].volume : 0;
   double sum = mirrored_volume(grid, i, axis + 1);
   const int here = i[axis];
-  for (const int face : grid.faces(axis)) {
-    if (std::abs(here - face) > 4) continue;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const int face = grid.faces(axis)[side];
+    if (std::abs(here - face) > 4 || !grid.recipe().mirrors[axis][side]) continue;
     i[axis] = 2 * face - here;
     sum += mirrored_volume(grid, i, axis + 1);
   }
   return sum;
 }
 
-/// The share that colliders leave of what is averaged into phi~ at x: blurred as phi is, and at least 0.05.
+/// Colliders, then walls.
+std::vector<const Solid*> what_covers(const Surroundings& surroundings) {
+  std::vector<const Solid*> all;
+  for (const Solid& solid : surroundings.solids)
+    if (!solid.is_grip) all.push_back(&solid);
+  for (const Solid& wall : surroundings.walls) all.push_back(&wall);
+  return all;
+}
+
+/// The share that they leave of what is averaged into phi~ at x: blurred as phi is, and at least 0.05.
 double room(const Surroundings& surroundings, const Vector& x, double dx) {
   double room = 1;
-  for (const Solid& solid : surroundings.solids) {
-    if (solid.is_grip) continue;
-    const double d = solid.distance(x) / dx;
+  for (const Solid* solid : what_covers(surroundings)) {
+    const double d = solid->distance(x) / dx;
     room *= 1 - 0.25 * beyond(d - 1) - 0.5 * beyond(d) - 0.25 * beyond(d + 1);
   }
   return std::max(room, 0.05);
 }
 
-/// The first collider within `reach` of x that faces the surface there (outward normal n, if known).
+/// The first of them within `reach` of x that faces the surface there (outward normal n, if known).
 const Solid* covering(const Surroundings& surroundings, const Vector& x, const Vector* n, double reach) {
-  for (const Solid& solid : surroundings.solids) {
-    if (solid.is_grip || solid.distance(x) > reach) continue;
-    if (n && dot(solid.normal(x), *n) > -0.5 && solid.distance(x) - solid.distance(x + reach * *n) < reach / 2)
+  for (const Solid* solid : what_covers(surroundings)) {
+    if (solid->distance(x) > reach) continue;
+    if (n && dot(solid->normal(x), *n) > -0.5 && solid->distance(x) - solid->distance(x + reach * *n) < reach / 2)
       continue;  // looks elsewhere
-    return &solid;
+    return solid;
   }
   return nullptr;
 }
 
-/// beta and theta behind a surface: of the solid that covers it (none if it passes no heat), or else of the air.
+/// beta, theta and flux behind a surface: of the solid that covers it (none if it passes no heat), or else of the air.
 struct Behind {
   bool is_solid;
-  double beta, theta;
+  double beta, theta, flux;
   Behind(const Solid* solid, const Air& air)
       : is_solid(solid),
         beta(!solid         ? air.beta
              : solid->theta ? solid->beta
                             : 0),
-        theta(!solid ? air.theta : solid->theta.value_or(0)) {}
+        theta(!solid ? air.theta : solid->theta.value_or(0)),
+        flux(solid ? solid->flux : 0) {}
 };
 
 /// Smoothing by sigma^2 = 0.83 dx^2 (cubic: 0.91) takes sigma^2 K^2 / 2 of the area of a surface with the curvatures' sum K: r with it,
@@ -145,7 +155,7 @@ void measure_surface(const Surroundings& surroundings, Grid& grid) {
       if (!cover) free[i] = levels.r(i), free_bend[i] = levels.r_K(i);
       const Behind behind(cover, surroundings.air);
       const auto same = [&](const Behind& other) {
-        return other.is_solid == behind.is_solid && other.beta == behind.beta && other.theta == behind.theta;
+        return other.is_solid == behind.is_solid && other.beta == behind.beta && other.theta == behind.theta && other.flux == behind.flux;
       };
       const auto at = std::find_if(seen.begin(), seen.end(), same);
       const auto number = static_cast<std::size_t>(at - seen.begin());
@@ -158,13 +168,15 @@ void measure_surface(const Surroundings& surroundings, Grid& grid) {
     if (node.volume == 0) return;
     node.area = node.volume * unrounded(grid.recipe(), blurred(free, i), blurred(free_bend, i));
     for (std::size_t b = 0; b < seen.size(); ++b) {
-      double passes = seen[b].beta * node.volume * unrounded(grid.recipe(), blurred(facing[b], i), blurred(facing_bend[b], i));
-      if (passes > 0 && grid.recipe().heat_transfer_form == Form::standard) {
+      const double area = node.volume * unrounded(grid.recipe(), blurred(facing[b], i), blurred(facing_bend[b], i));
+      const bool is_held = std::isinf(seen[b].beta);
+      double passes = is_held ? area * node.conductivity / node.volume / layer_depth(grid.recipe(), 1) : seen[b].beta * area;
+      if (!is_held && passes > 0 && grid.recipe().heat_transfer_form == Form::standard) {
         const double per_dx = seen[b].beta * node.volume / node.conductivity, strength = 1 / (1 + 1 / (per_dx * dx));
         passes /= 1 + per_dx * layer_depth(grid.recipe(), strength);
       }
       node.heat_transfer += passes;
-      node.heat_transfer_source += passes * seen[b].theta;
+      node.heat_transfer_source += passes * seen[b].theta + area * seen[b].flux;
     }
   });
 }
@@ -189,22 +201,23 @@ void measure_published_surface(const std::vector<Particle>& particles, const Sur
   grid.for_each([&](const Index& i, const Node&) { boundary[grid.number(i)] = at_boundary(i); });
   for (const Particle& p : particles)
     for_each_node(grid, p.x, grid.recipe().kernel, [&](const Index& i, const Overlap& o) {
-      Nearest& best = nearest[grid.number(i)];
-      if (boundary[grid.number(i)] && length(o.r) < best.distance) best = {length(o.r), &p};
+      const std::size_t number = grid.number(grid.home(i));
+      Nearest& best = nearest[number];
+      if (boundary[number] && length(o.r) < best.distance) best = {length(o.r), &p};
     });
   std::vector<const Particle*> marked;
   for (const Nearest& n : nearest)
     if (n.particle && std::find(marked.begin(), marked.end(), n.particle) == marked.end()) marked.push_back(n.particle);
   for (const Particle* p : marked) {
     const double pi = std::acos(-1.0), radius = std::cbrt(3 * p->V() / (4 * pi)), S = pi * radius * radius;
-    for_each_node(grid, p->x, grid.recipe().kernel, [&](const Index& i, const Overlap& o) { grid[i].area += o.w * S; });
+    for_each_node(grid, p->x, grid.recipe().kernel, [&](const Index& i, const Overlap& o) { grid[grid.home(i)].area += o.w * S; });
   }
   grid.for_each([&](const Index& i, Node& node) {
     if (!(node.area > 0)) return;
     const Solid* cover = covering(surroundings, grid.position(i), nullptr, grid.dx());
     const Behind behind(cover, surroundings.air);
     node.heat_transfer = node.area * behind.beta;
-    node.heat_transfer_source = node.area * behind.beta * behind.theta;
+    node.heat_transfer_source = node.area * (behind.beta * behind.theta + behind.flux);
     if (cover) node.area = 0;
   });
 }

@@ -9,9 +9,9 @@ namespace bake {
 class Obstacles {
  public:
   virtual ~Obstacles() = default;
-  /// Moves a particle that is inside a solid onto its surface and applies the contact rule to its velocity. Returns whether it
-  /// was inside.
-  virtual bool push_out(Point& x, Vector3& v) const = 0;
+  /// Moves a particle of the mass `mass` [kg] that is inside a solid onto its surface and applies the contact rule to its velocity. Returns
+  /// whether it was inside.
+  virtual bool push_out(Point& x, Vector3& v, double mass) const = 0;
 };
 
 }  // namespace bake

@@ -3,20 +3,29 @@
 
 #include <vector>
 
+#include "solver/core/vector3.h"
+
 namespace bake {
 
 /// A quantity that changes with time (or stays constant: one point). It is linear between points and constant outside.
-/// In a scene: a number, or a list of [time_s, value] pairs with rising times.
-struct Curve {
+/// In a scene: a value, or a list of [time_s, value] pairs with rising times.
+template <class Value>
+struct CurveOf {
   struct Point {
     double at;
-    double value;
+    Value value;
   };
   std::vector<Point> points;
 
-  Curve() = default;
-  Curve(double constant) : points{{0.0, constant}} {}  // NOLINT: a number is a curve
-  double operator()(double at) const;
+  CurveOf() = default;
+  CurveOf(const Value& constant) : points{{0.0, constant}} {}  // NOLINT: a number is a curve
+  Value operator()(double at) const;
+  Value mean(double from, double to) const;  ///< over that time, which may be none
 };
+
+using Curve = CurveOf<double>;
+using VectorCurve = CurveOf<Vector3>;
+
+double largest_length(const VectorCurve& curve);  ///< at any time
 
 }  // namespace bake

@@ -22,6 +22,8 @@ struct SurfaceLayer {
   BAKE_INLINE V depth(V strength) const {
     return least + Real(0.18) * strength;
   }
+  /// kappa / d, what the layer alone conducts under a surface whose temperature is held [W/(m^2 K)], with `conductivity` V kappa.
+  Real conductance(Real conductivity, Real volume) const { return conductivity / (volume * dx * depth(Real(1))); }
   /// 1 / (1 + beta d / kappa), with `conductance` V beta and `conductivity` V kappa.
   Real share_that_passes(Real conductance, Real conductivity) const {
     const Real h = conductance * dx;

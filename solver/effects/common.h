@@ -7,9 +7,10 @@
 namespace bake {
 
 namespace booked {
-BAKE_FIELD(impulse, Impulse, 3, "impulse", "kg m/s", "momentum given by gravity, colliders, grips and faces, less what vapour takes along");
+BAKE_FIELD(impulse, Impulse, 3, "impulse", "kg m/s",
+           "momentum given by gravity, colliders, grips, faces and settling, less what vapour takes along");
 BAKE_FIELD(angular_impulse, AngularImpulse, 3, "angular_impulse", "kg m^2/s",
-           "angular momentum given by gravity, colliders, grips and faces, about the origin");
+           "angular momentum given by gravity, colliders, grips, faces and settling, about the origin");
 BAKE_FIELD(area, Area, 1, "", "m^2", "area that touches air");
 BAKE_FIELD(contact_area, ContactArea, 1, "", "m^2", "area that touches heated colliders");
 }  // namespace booked

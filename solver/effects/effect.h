@@ -21,6 +21,7 @@
 //   of a scene
 //     check_settings(settings, complaint)                 refuses settings that make no sense together
 //     check_material(scene, material, own, complaint)     the same for a material
+//     check_face(scene, face, complaint)                  the same for a face of the domain
 //     idle(scene)                         why the effect can change nothing here although it is listed; "" if it can
 //     coefficient(own)                    the key of a coefficient that is given, whether the effect is listed or not; "" if none is
 //     swells(own)                         whether the material can change its volume by this effect
@@ -104,6 +105,7 @@ BAKE_HOOK(show)
 BAKE_HOOK(ledger)
 BAKE_HOOK(check_settings)
 BAKE_HOOK(check_material)
+BAKE_HOOK(check_face)
 BAKE_HOOK(idle)
 BAKE_HOOK(coefficient)
 BAKE_HOOK(swells)

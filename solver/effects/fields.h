@@ -34,6 +34,12 @@ BAKE_FIELD(v, Velocity, 3, "velocity", "m/s", "v_p: velocity of the solid");
 BAKE_FIELD(C, AffineVelocity, 9, "affine_velocity", "1/s", "C_p: velocity gradient, C[3 i + j] = dv_i / dx_j (APIC)");
 BAKE_FIELD(J, VolumeRatio, 1, "volume_ratio", "1", "J_p: volume over initial volume, det F");
 BAKE_FIELD(J_before, VolumeRatioBefore, 1, "volume_ratio_before", "1", "J_p before the step, of which the nodes know");
+BAKE_FIELD(
+    sigma, CauchyStress, 6, "stress", "Pa",
+    "sigma = tau / J: Cauchy stress of solid, gas and water together, pulling is positive; XX YY ZZ XY YZ XZ, as ParaView has tensors; "
+    "with run.stress_in_frames, and 0 for what was poured in this very moment");
+BAKE_FIELD(von_mises, VonMisesStress, 1, "von_mises", "Pa",
+           "sqrt(3/2) times the size of the deviator of stress; with run.stress_in_frames");
 BAKE_FIELD(tau, KirchhoffStress, 6, "kirchhoff_stress", "Pa", "tau_p = J sigma: Kirchhoff stress of the mixture; xx yy zz yz xz xy");
 BAKE_FIELD(b_E, ElasticStrain, 6, "elastic_strain", "1", "b_E - I: elastic left Cauchy-Green strain less the identity [Ding19 Sec. 5.2]");
 BAKE_FIELD(epsilon, HenckyStrain, 6, "hencky_strain", "1", "epsilon = 1/2 log b_E: elastic Hencky strain [Ding19 Sec. 5.2]");

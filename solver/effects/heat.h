@@ -146,12 +146,14 @@ struct Heat : Effect {
     const auto& settings = scene.template of<Heat>();
     model.implicit_heat = settings.integrator == Integrator::backward_euler;
     model.heat_tolerance = settings.tolerance;
+    model.printed_heat_transfer = settings.heat_transfer_form == Form::published;
     if (settings.heat_transfer_form == Form::standard)
       model.conductivity_channel = Model::Scattered::template offset<channel::Conductivity>;
     model.temperature_channel = Model::Gathered::template offset<channel::NodeTemperature>;
     model.heat_entry = Model::Booked::template offset<booked::HeatExchanged>;
     for (const auto& [at, value] : scene.oven.heat_transfer_coefficient_W_per_m2K.points) model.needs_surface |= value != 0;
     for (const auto& collider : scene.colliders) model.needs_surface |= collider.heat_transfer_coefficient_W_per_m2K != 0;
+    for (const auto& face : scene.faces) model.needs_surface |= face.passes_heat();
   }
 
   static void fill(auto& p, int lane, const auto& start) {
@@ -177,7 +179,7 @@ struct Heat : Effect {
 
   /// Share of a difference between a particle and its nodes that diffusion of the length dx evens out in a step. Implicit: never above 1.
   BAKE_INLINE static auto evened_out(auto diffusivity, auto subgrid, const auto& step) {
-    const auto x = (subgrid * step.dt / (step.dx * step.dx)) * diffusivity;
+    const auto x = (subgrid * step.baking_dt / (step.dx * step.dx)) * diffusivity;
     return x / (1 + x);
   }
 
@@ -240,7 +242,7 @@ struct Heat : Effect {
     to.value(channel::heat_content) += c * p[field::theta];
     to.value(channel::heat_lent) += lent_heat(p, k);
     to.value(channel::conductivity) += k.kappa * p.volume();
-    const auto flux = (step.dt_next * step.inverse_d) * p.volume();
+    const auto flux = (step.baking_dt_next * step.inverse_d) * p.volume();
     if (!k.implicit)
       for (int d = 0; d < 3; ++d) to.moment(channel::heat_change, 0, d) -= k.kappa * flux * p[field::grad_theta][d];
     if constexpr (P::template has<field::WaterFlux>)
@@ -253,7 +255,7 @@ struct Heat : Effect {
         auto rate = C[0] + C[4] + C[8];
         if constexpr (P::template has<field::PlasticDilation>)
           if (!k.published_expansion) rate -= p[field::plastic_dilation];
-        const auto taken = (step.dt_next * k.beta_T) * p[field::V_0] * theta * rate;
+        const auto taken = (step.baking_dt_next * k.beta_T) * p[field::V_0] * theta * rate;
         to.value(channel::heat_change) -= taken;
       }
     }
@@ -297,7 +299,7 @@ struct Heat : Effect {
       capacity += k.water * (node.sums.moved + node.sums.evaporated);
     }
     const auto& around = node.surroundings;
-    const auto transfer = step.dt * around.heat_transfer, source = step.dt * around.heat_transfer_source;
+    const auto transfer = step.baking_dt * around.heat_transfer, source = step.baking_dt * around.heat_transfer_source;
     const auto weight = capacity + transfer;
     auto theta = filled ? (content + change + source) / weight : none;
     if (k.published_heat_transfer) theta = filled ? (content + change - source + transfer * old) / capacity : none;
@@ -345,6 +347,15 @@ struct Heat : Effect {
     if (own.transition_heat_J_per_kg > 0) complaint.unless_rising("transition_to_C", {own.transition_from_C, own.transition_to_C});
   }
 
+  /// As printed the nodes' temperature is that of the surface, so that none can be held, and a flux would have the sign of the others.
+  static void check_face(const auto& scene, const auto& face, const auto& complaint) {
+    const bool printed = scene.template of<Heat>().heat_transfer_form == Form::published;
+    if (face.temperature_C && !face.heat_transfer_coefficient_W_per_m2K && (printed || scene.surface.form == Form::published))
+      complaint.at("temperature_C", "found without heat_transfer_coefficient_W_per_m2K beside form = 'published', allowed: with it");
+    if (face.heat_flux_W_per_m2 && printed)
+      complaint.at("heat_flux_W_per_m2", "found beside heat_transfer_form = 'published', allowed: beside the standard form");
+  }
+
   static bool swells(const Material& own) { return own.expansion_per_K > 0; }
 
   static std::string idle(const auto& here) {
@@ -353,7 +364,8 @@ struct Heat : Effect {
     const bool exchanged =
         here.is_ever_above_zero(scene.oven.heat_transfer_coefficient_W_per_m2K) ||
         here.any(scene.colliders, [](const auto& c) { return c.temperature_C && c.heat_transfer_coefficient_W_per_m2K > 0; }) ||
-        here.any(scene.grips, [](const auto& g) { return g.temperature_C.has_value(); });
+        here.any(scene.grips, [](const auto& g) { return g.temperature_C.has_value(); }) ||
+        here.any(scene.faces, [](const auto& f) { return f.passes_heat(); });
     const bool uneven =
         here.any(scene.bodies, [](const auto& b) { return b.temperature_C.has_value(); }) ||
         here.any(scene.emitters, [](const auto& e) { return e.temperature_C.has_value(); }) ||

@@ -109,7 +109,7 @@ struct Leavening : Effect {
   /// DEPARTS [Ding19 Sec. 5.4]: leavener runs out when its total is given: dc/dt = -(rate / total) c, implicit in c, so that
   /// nu + total c is kept to round-off.
   BAKE_INLINE static void gather(auto& p, const auto&, const auto& k, const auto& step, auto&) {
-    const auto wanted = step.dt * rate(p[field::theta], k);
+    const auto wanted = step.baking_dt * rate(p[field::theta], k);
     if (k.finite) {
       const auto z = wanted * (1 / k.total);
       const auto spent = p[field::c] * z / (1 + z);

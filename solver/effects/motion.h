@@ -15,6 +15,10 @@
 
 namespace bake {
 
+namespace booked {
+BAKE_FIELD(damped, Damped, 1, "damped", "J", "kinetic energy of the inertial mass that settling took");
+}  // namespace booked
+
 namespace total {
 BAKE_FIELD(momentum, Momentum, 3, "momentum", "kg m/s", "momentum, sum of m v + V q, the water's flux being that of the step before");
 BAKE_FIELD(angular_momentum, AngularMomentum, 3, "angular_momentum", "kg m^2/s", "angular momentum about the origin, with the affine part");
@@ -37,16 +41,27 @@ struct Motion : Effect {
   struct Settings {
     Transfer transfer = Transfer::apic;
     double flip_blend = 0.95;
-    Vector3 gravity_m_per_s2 = {0, 0, -9.81};
+    VectorCurve gravity_m_per_s2 = Vector3{0, 0, -9.81};
     double inertia_scale = 1;
+    double settle_damping_per_s = 0;
+    double settle_still_m_per_s = 1e-3;
+    double settle_longest_s = 1;
     static constexpr auto parameters() {
       return std::tuple{
           Parameter{"transfer", &Settings::transfer, "", any_number,
                     "velocity transfer between particles and grid; \"apic\" keeps spin, \"pic\" and \"flip\" lose it with every step"},
           Parameter{"flip_blend", &Settings::flip_blend, "1", fraction, "share of FLIP in a FLIP/PIC blend (transfer = \"flip\")"},
-          Parameter{"gravity_m_per_s2", &Settings::gravity_m_per_s2, "m/s^2", any_number, "acceleration of gravity"},
+          Parameter{"gravity_m_per_s2", &Settings::gravity_m_per_s2, "m/s^2", any_number,
+                    "acceleration of gravity, over time if it changes; each step takes its mean over the step"},
           Parameter{"inertia_scale", &Settings::inertia_scale, "1", positive,
                     "multiplies the inertial mass only (mass scaling for quasi-static baking)"},
+          Parameter{
+              "settle_damping_per_s", &Settings::settle_damping_per_s, "1/s", non_negative,
+              "if above 0, the dough settles before the scene's time begins: it moves, velocities decay at this rate, and heat, water, "
+              "leavener, colliders and all clocks stand still"},
+          Parameter{"settle_still_m_per_s", &Settings::settle_still_m_per_s, "m/s", positive,
+                    "settling ends when no particle was faster for 1 / settle_damping_per_s"},
+          Parameter{"settle_longest_s", &Settings::settle_longest_s, "s", positive, "settling ends then, still or not"},
       };
     }
   };
@@ -55,6 +70,7 @@ struct Motion : Effect {
   using Moments = FieldList<channel::Momentum>;
   using Values = FieldList<channel::Mass>;
   using Gathered = FieldList<channel::NodeVelocity>;
+  using Booked = FieldList<booked::Damped>;
   using Totals = FieldList<total::Momentum, total::AngularMomentum, total::Kinetic>;
   using Bounds = FieldList<bound::SpeedSquared, bound::SoundSpeedSquared, bound::DeformationRateSquared>;
 
@@ -90,8 +106,12 @@ struct Motion : Effect {
   static void describe(auto& model, const auto& scene) {
     const auto& settings = scene.template of<Motion>();
     model.moves = true;
+    model.samples_stress = scene.run.stress_in_frames;
     model.gravity = settings.gravity_m_per_s2;
     model.inertia_scale = settings.inertia_scale;
+    using Model = std::decay_t<decltype(model)>;
+    model.settling = {settings.settle_damping_per_s, settings.settle_still_m_per_s, settings.settle_longest_s,
+                      Model::Booked::template offset<booked::Damped>, Model::Bounds::template offset<bound::SpeedSquared>};
   }
 
   static void fill(auto& p, int lane, const auto&) { p[field::J][lane] = 1; }
@@ -151,7 +171,7 @@ struct Motion : Effect {
   /// dt < 2 / frequency. |dt C| below 1/2 keeps I + dt C far from singular.
   static void largest_step(const auto& most, const StepScale& at, const auto& scene, StepLimit& limit) {
     const double c2 = most(bound::sound_speed_squared), C2 = most(bound::deformation_rate_squared), v2 = most(bound::speed_squared);
-    const double g = length(scene.template of<Motion>().gravity_m_per_s2);
+    const double g = largest_length(scene.template of<Motion>().gravity_m_per_s2);
     if (c2 > 0) limit.at_most(at.safety * at.dx / std::sqrt(c2), "stiffness (elastic, pore gas and water)");
     if (C2 > 0) limit.at_most(0.5 / std::sqrt(C2), "rate of deformation");
     if (v2 > 0) limit.at_most(at.cfl * at.dx / std::sqrt(v2), "particle travel (time.cfl)");
@@ -198,19 +218,32 @@ struct Motion : Effect {
 
   static void show(auto& frame) {
     frame.sampled(field::v);
+    frame.sampled(field::sigma);
+    frame.sampled(field::von_mises);
     frame.stored(field::J);
   }
 
   static void ledger(auto& columns) {
     columns.made("max_speed", "m/s", "speed of the fastest particle",
                  [](const auto& now) { return std::sqrt(now.bound(bound::speed_squared)); });
+    columns.made("settling_time", "s", "time that settling took before the scene's time began",
+                 [](const auto& now) { return now.settling().time; });
+  }
+
+  /// Dough that falls under gravity and damping reaches g / damping, 0.63 of it within the time for which it must be slow.
+  static void check_settings(const Settings& settings, const auto& complaint) {
+    const double g = length(settings.gravity_m_per_s2(0)), most = g / (2 * settings.settle_damping_per_s);
+    if (settings.settle_damping_per_s > 0 && g > 0 && settings.settle_still_m_per_s > most)
+      complaint.at("settle_still_m_per_s",
+                   "found {}, allowed: at most {:.3g} (gravity over twice settle_damping_per_s), or dough that falls counts as still",
+                   settings.settle_still_m_per_s, most);
   }
 
   static std::string idle(const auto& here) {
     const auto moves = [](const auto& thing) { return thing.motion.size() > 1; };
     const auto starts = [](const auto& body) { return length(body.velocity_m_per_s) > 0 || length(body.angular_velocity_rad_per_s) > 0; };
     const auto& scene = here.scene;
-    const bool pushed = length(scene.template of<Motion>().gravity_m_per_s2) > 0 || !scene.emitters.empty() ||
+    const bool pushed = largest_length(scene.template of<Motion>().gravity_m_per_s2) > 0 || !scene.emitters.empty() ||
                         here.any(scene.colliders, moves) || here.any(scene.grips, moves) || here.any(scene.bodies, starts);
     return pushed || here.swells ? "" : "there is no gravity, nothing else moves and nothing swells";
   }

@@ -36,7 +36,7 @@ struct MovingWater : Effect {
   /// DEPARTS [Ding19 Eq. 25, 27]: no div v terms: as printed they take water and bulk velocity out of a body that expands.
   BAKE_INLINE static void scatter(auto& p, auto& to, const auto& k, const auto& step, auto&) {
     using P = std::decay_t<decltype(p)>;
-    const auto moment = (step.dt_next * step.inverse_d) * p.volume();
+    const auto moment = (step.baking_dt_next * step.inverse_d) * p.volume();
     const auto per_water = p.volume() / max(p[field::m_w], 0 * p[field::m_w] + std::numeric_limits<typename P::Real>::min());
     for (int i = 0; i < 3; ++i) {
       const auto v_w = p[field::v][i] + per_water * p[field::q][i];
@@ -44,7 +44,7 @@ struct MovingWater : Effect {
       to.value(channel::momentum, i) -= k.inertia * (p[field::Q][i] - p[field::Q_old][i]);
     }
     if (k.published) {
-      const auto div = step.dt_next * (p[field::C][0] + p[field::C][4] + p[field::C][8]);
+      const auto div = step.baking_dt_next * (p[field::C][0] + p[field::C][4] + p[field::C][8]);
       to.value(channel::water_change) -= p[field::m_w] * div;
       if constexpr (P::template has<field::Temperature>)  // with its heat
         to.value(channel::heat_change) -= k.heat * p[field::theta] * p[field::m_w] * div;

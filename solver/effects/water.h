@@ -152,7 +152,7 @@ struct Water : Effect {
     p[field::m_w] += gained;
     p[field::m_w_lent] = Heat::evened_out(diffusivity(p, k), k.subgrid, step) * (room * from.value(channel::saturation) - p[field::m_w]);
     p[field::m_w] += p[field::m_w_lent];
-    p[field::w_spread] += step.dt * k.K * clamped_temperature(p);
+    p[field::w_spread] += step.baking_dt * k.K * clamped_temperature(p);
     if constexpr (P::template has<field::Temperature>)
       report.book(booked::remap_heat, k.heat * gained * (p[field::theta] - p[field::theta_lent]));
     if constexpr (P::template has<field::Velocity>)
@@ -172,7 +172,7 @@ struct Water : Effect {
 
   /// Flux V D^-1 w (r . q).   [Ding19 Eq. 25]
   BAKE_INLINE static void scatter(auto& p, auto& to, const auto& k, const auto& step, auto&) {
-    const auto moment = (step.dt_next * step.inverse_d) * p.volume();
+    const auto moment = (step.baking_dt_next * step.inverse_d) * p.volume();
     to.value(channel::water_mass) += p[field::m_w];
     to.value(channel::water_capacity) += k.rho_w * p.volume();
     to.value(channel::evaporability) += k.beta_w * clamped_temperature(p) * p.volume();
@@ -224,13 +224,14 @@ struct Water : Effect {
     const auto filled = capacity > 0;
     const auto& around = node.surroundings;
     // beta_w theta of the node times its free area: (w V beta_w theta) / (w V) * area
-    const auto rate = node[channel::volume] > 0 ? step.dt * around.area * node[channel::evaporability] / node[channel::volume] : none;
+    const auto rate =
+        node[channel::volume] > 0 ? step.baking_dt * around.area * node[channel::evaporability] / node[channel::volume] : none;
     const auto flux = node[channel::water_change];
     const auto after_flux = m + flux;
     const auto s_i = filled ? m / capacity : none;
     const auto permeability = node[channel::permeability];
     // to the end of the step
-    const auto spread = filled ? node[channel::water_spread] / node[channel::volume] + step.dt * permeability / capacity : none;
+    const auto spread = filled ? node[channel::water_spread] / node[channel::volume] + step.baking_dt * permeability / capacity : none;
     const auto h = permeability > 0 ? node[channel::evaporability] / permeability : none;
     const auto s = surface_saturation(s_i, around.saturation, node[channel::evaporability], permeability, reach(s_i, spread, h), k.layer);
     const auto wanted = filled ? rate * (s - around.saturation) : none;

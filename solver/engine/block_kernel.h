@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "solver/engine/contacts.h"
@@ -23,6 +24,17 @@ struct Migrant {
   std::vector<Real> rows;  ///< values and coefficients of the node offsets about the particle, four rows
 };
 
+/// What expels particles, and books what it gave them.
+class Expelling final : public Obstacles {
+ public:
+  Expelling(const Contacts& contacts, Given* given) : contacts_(contacts), given_(given) {}
+  bool push_out(Point& x, Vector3& v, double mass) const override { return contacts_.push_out(x, v, mass, given_); }
+
+ private:
+  const Contacts& contacts_;
+  Given* given_;
+};
+
 /// Everything that the kernel needs besides the block itself.
 template <class Real>
 struct BlockWork {
@@ -31,8 +43,10 @@ struct BlockWork {
   const Real* gathered = nullptr;  ///< the grid that the gather reads: rows of gathered_row() numbers
   Real* scattered = nullptr;       ///< the grid that the scatter adds to: rows of scattered_row() numbers
   Step<Real> step;
-  Real* velocity = nullptr;  ///< if not null: [tile][3][W]
+  Real* sampled = nullptr;  ///< if not null: [tile][Physics::sampled()][W]
   const Contacts* contacts = nullptr;
+  Given* given = nullptr;  ///< if not null: [home block][givers], what solids give the particles that they expel
+  std::size_t givers = 0;
   Real origin[3];                  ///< of the grid [m]
   Real low_face[3], high_face[3];  ///< domain, in node distances from the grid's first node
   bool open_low[3] = {}, open_high[3] = {};

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 #include "solver/core/rows.h"
 #include "solver/engine/block_kernel.h"
@@ -47,7 +48,11 @@ class BlockKernelOf final : public BlockKernel<Real> {
     const HomeBlock* above = block_above(*work.store, index);
     Report<Real> report;
     report.totals_wanted = totals;
-    if (work.contacts->expels_near(block.at, 2 * static_cast<double>(work.step.dx))) report.obstacles = work.contacts;
+    std::optional<Expelling> expelling;
+    if (work.contacts->expels_near(block.at, 2 * static_cast<double>(work.step.dx))) {
+      expelling.emplace(*work.contacts, work.given ? work.given + static_cast<std::size_t>(index) * work.givers : nullptr);
+      report.obstacles = &*expelling;
+    }
     const int corner[3] = {4 * block.at.x, 4 * block.at.y, 4 * block.at.z};
     for (int d = 0; d < 3; ++d) {
       report.origin[d] = work.origin[d] + work.step.dx * Real(corner[d]);
@@ -69,8 +74,8 @@ class BlockKernelOf final : public BlockKernel<Real> {
       V x[3];
       load_position(columns, x);
       FromTile::particles(scratch.gather_tile.data(), S(x), 1 / work.step.dx, gathered, prefetch_next_tile);
-      V* velocity = work.velocity ? reinterpret_cast<V*>(work.velocity) + at * 3 : nullptr;
-      work.physics->advance(columns, work.store->tiles[at].material, gathered, RG, scattered, RS, velocity, work.step, report);
+      V* sampled = work.sampled ? reinterpret_cast<V*>(work.sampled) + at * static_cast<std::size_t>(work.physics->sampled()) : nullptr;
+      work.physics->advance(columns, work.store->tiles[at].material, gathered, RG, scattered, RS, sampled, work.step, report);
 
       load_position(columns, x);
       const LaneMask<Real> gone = report.leaving(x);

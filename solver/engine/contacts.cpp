@@ -34,6 +34,7 @@ double beyond(double d) {
 Contacts::Contacts(const Scene& scene, const GridGeometry& geometry)
     : face_friction_(scene.domain.friction), geometry_(geometry), has_colliders_(!scene.colliders.empty()) {
   const Box3 domain{scene.domain.min_m, scene.domain.max_m};
+  int givers = 0;
   for (const Collider& c : scene.colliders) {
     const Rule rule = c.contact == Contact::sticky ? Rule::sticky : c.contact == Contact::slip ? Rule::slip : Rule::separating;
     const RigidPath path(c.motion, c.pivot_m);
@@ -43,7 +44,8 @@ Contacts::Contacts(const Scene& scene, const GridGeometry& geometry)
                     c.expels,
                     c.temperature_C,
                     c.heat_transfer_coefficient_W_per_m2K,
-                    path.moves() ? path.largest_speed(c.shape->bounds(), domain) : 0});
+                    path.moves() ? path.largest_speed(c.shape->bounds(), domain) : 0,
+                    c.ledger ? givers++ : -1});
   }
   for (const Grip& g : scene.grips) {
     const RigidPath path(g.motion, g.pivot_m);
@@ -53,38 +55,66 @@ Contacts::Contacts(const Scene& scene, const GridGeometry& geometry)
                     false,
                     g.temperature_C,
                     0,
-                    path.moves() ? path.largest_speed(g.shape->bounds(), domain) : 0});
+                    path.moves() ? path.largest_speed(g.shape->bounds(), domain) : 0,
+                    g.ledger ? givers++ : -1});
     holds_temperatures_ |= g.temperature_C.has_value();
   }
+  int giver_at[6] = {-1, -1, -1, -1, -1, -1};
+  for (const DomainFace& f : scene.faces)
+    if (f.ledger) giver_at[static_cast<int>(f.at)] = givers++;
   const Face faces[6] = {scene.domain.x_min, scene.domain.x_max, scene.domain.y_min,
                          scene.domain.y_max, scene.domain.z_min, scene.domain.z_max};
   for (int i = 0; i < 6; ++i) {
-    if (faces[i] == Face::open) continue;
+    if (faces[i] == Face::periodic) is_mirror_[static_cast<std::size_t>(i)] = false;
+    if (faces[i] == Face::open || faces[i] == Face::periodic) continue;
     const int axis = i / 2;
     const double at = geometry.origin({0, 0, 0})[static_cast<std::size_t>(axis)] +
                       (i % 2 ? geometry.high_face(axis) : geometry.low_face()) * geometry.dx();
     const Rule rule = faces[i] == Face::sticky ? Rule::sticky : faces[i] == Face::slip ? Rule::slip : Rule::separating;
-    faces_.push_back({axis, i % 2 ? -1.0 : 1.0, at, rule});
+    faces_.push_back({axis, i % 2 ? -1.0 : 1.0, at, rule, giver_at[i]});
+  }
+  for (const DomainFace& f : scene.faces) {
+    if (!f.passes_heat()) continue;
+    const int face = static_cast<int>(f.at), axis = face / 2;
+    const double at = geometry.origin({0, 0, 0})[static_cast<std::size_t>(axis)] +
+                      (face % 2 ? geometry.high_face(axis) : geometry.low_face()) * geometry.dx();
+    ContactHeat heat;
+    if (f.temperature_C) heat.heat_transfer_coefficient = f.heat_transfer_coefficient_W_per_m2K.value_or(k_infinity);
+    heat.giver = giver_at[face];
+    walls_.push_back({axis, face % 2 ? -1.0 : 1.0, at, f.temperature_C, f.heat_flux_W_per_m2, heat});
+    is_mirror_[static_cast<std::size_t>(face)] = false;
   }
 }
 
-void Contacts::prepare(double time) {
+void Contacts::prepare(double time, bool at_rest) {
   present_.clear();
   largest_speed_ = 0;
   expels_ = false;
+  for (Wall& w : walls_) {
+    if (w.temperature) w.heat.temperature = (*w.temperature)(time);
+    if (w.flux) w.heat.flux = (*w.flux)(time);
+  }
   for (const Contacting& c : all_) {
     if (!c.scripted.present(time)) continue;
-    const RigidState pose = c.scripted.path.at(time);
+    RigidState pose = c.scripted.path.at(time);
+    if (at_rest) pose.velocity = pose.angular_velocity = {0, 0, 0};
     present_.push_back({&c, pose, c.scripted.bounds(pose), c.temperature ? (*c.temperature)(time) : 0});
     largest_speed_ = std::max(largest_speed_, c.speed);
     expels_ |= c.expels;
   }
 }
 
+bool Contacts::cover_near(const BlockIndex& block, double reach) const {
+  if (collider_near(block, reach)) return true;
+  const Point low = geometry_.origin(block), high = low + (3 * geometry_.dx()) * Vector3{1, 1, 1};
+  return std::any_of(walls_.begin(), walls_.end(),
+                     [&](const Wall& w) { return std::min(w.distance(low), w.distance(high)) <= reach + touching(); });
+}
+
 bool Contacts::near(const BlockIndex& block, double reach) const {
   const Point low = geometry_.origin(block);
   const double side = 3 * geometry_.dx();
-  for (const DomainFace& f : faces_) {  // as touching as for the block's nodes: the face may go through its last ones
+  for (const FaceOfDomain& f : faces_) {  // as touching as for the block's nodes: the face may go through its last ones
     const double a = low[static_cast<std::size_t>(f.axis)];
     if (f.sign > 0 ? a <= f.at + touching() : a + side >= f.at - touching()) return true;
   }
@@ -126,14 +156,16 @@ Vector3 Contacts::velocity_beside(const Present& p, const Point& x, const Vector
   return wall + contact(v - wall, p.contact->scripted.normal(p.pose, x), false, separating, separating ? p.contact->friction : 0);
 }
 
-bool Contacts::push_out(Point& x, Vector3& v) const {
+bool Contacts::push_out(Point& x, Vector3& v, double mass, Given* given) const {
   bool inside = false;
   for (const Present& p : present_) {
     if (!p.contact->expels) continue;
     const double distance = p.contact->scripted.distance(p.pose, x);
     if (distance >= 0) continue;
     inside = true;
+    const Vector3 before = v;
     v = velocity_beside(p, x, v);
+    if (given && p.contact->giver >= 0) given[p.contact->giver].impulse = given[p.contact->giver].impulse + mass * (v - before);
     // at most one node distance, so that it does not leave the block's reach in one step
     x = x + std::min(-distance, geometry_.dx()) * p.contact->scripted.normal(p.pose, x);
   }
@@ -175,25 +207,36 @@ std::optional<Vector3> Contacts::line(const Present& p, const Point& x, double d
   return (d / d_k) * (free.velocity - p.pose.velocity_at(place(k)));
 }
 
-Vector3 Contacts::velocity_after(const Point& x, Vector3 v, const NodesAround* around) const {
+template <bool tells>
+Vector3 Contacts::after_all(const Point& x, Vector3 v, const NodesAround* around, [[maybe_unused]] double mass,
+                            [[maybe_unused]] Given* given) const {
+  [[maybe_unused]] const auto tell = [&](int giver, const Vector3& before) {
+    if (giver >= 0) given[giver].impulse = given[giver].impulse + mass * (v - before);
+  };
   for (const Present& p : present_) {
     const bool between_nodes = around && p.contact->rule != Rule::grip && !p.contact->expels;
     const auto d = distance_within(p, x, between_nodes ? (1 - 1e-6) * geometry_.dx() : touching());
     if (!d) continue;
+    [[maybe_unused]] const Vector3 before = v;
     if (const auto on_line = between_nodes ? line(p, x, *d, *around) : std::nullopt)
       v = velocity_beside(p, x, v, *on_line);
     else if (*d <= touching())
       v = velocity_beside(p, x, v);
+    if constexpr (tells) tell(p.contact->giver, before);
   }
-  for (const DomainFace& f : faces_) {
+  for (const FaceOfDomain& f : faces_) {
     const double inside = f.sign * (x[static_cast<std::size_t>(f.axis)] - f.at);
     if (inside > touching()) continue;
     Vector3 n{0, 0, 0};
     n[static_cast<std::size_t>(f.axis)] = f.sign;
+    [[maybe_unused]] const Vector3 before = v;
     v = contact(v, n, f.rule == Rule::sticky, f.rule == Rule::separating, f.rule == Rule::separating ? face_friction_ : 0);
+    if constexpr (tells) tell(f.giver, before);
   }
   return v;
 }
+template Vector3 Contacts::after_all<false>(const Point&, Vector3, const NodesAround*, double, Given*) const;
+template Vector3 Contacts::after_all<true>(const Point&, Vector3, const NodesAround*, double, Given*) const;
 
 std::optional<ContactHeat> Contacts::covering(const Point& x, const std::optional<Vector3>& n, double reach) const {
   for (const Present& p : present_) {
@@ -205,19 +248,22 @@ std::optional<ContactHeat> Contacts::covering(const Point& x, const std::optiona
       if (!ahead) continue;  // the surface looks elsewhere
     }
     if (!p.contact->temperature) return ContactHeat{};
-    return ContactHeat{p.contact->heat_transfer_coefficient, p.temperature};
+    return ContactHeat{p.contact->heat_transfer_coefficient, p.temperature, 0, p.contact->giver};
   }
+  for (const Wall& w : walls_)
+    if (w.distance(x) <= reach && (!n || w.sign * (*n)[static_cast<std::size_t>(w.axis)] <= -0.5)) return w.heat;
   return std::nullopt;
 }
 
 double Contacts::room(const Point& x) const {
   double room = 1;
-  for (const Present& p : present_) {
-    const auto distance = p.contact->rule == Rule::grip ? std::nullopt : distance_within(p, x, 2.5 * geometry_.dx());
-    if (!distance) continue;
-    const double d = *distance / geometry_.dx();
+  const auto take = [&](double distance) {
+    const double d = distance / geometry_.dx();
     room *= 1 - (beyond(d - 1) + 2 * beyond(d) + beyond(d + 1)) / 4;
-  }
+  };
+  for (const Present& p : present_)
+    if (const auto distance = p.contact->rule == Rule::grip ? std::nullopt : distance_within(p, x, 2.5 * geometry_.dx())) take(*distance);
+  for (const Wall& w : walls_) take(w.distance(x));
   return room;
 }
 

@@ -2,22 +2,30 @@
 // What touches the dough: colliders, grips and the faces of the domain, acting on the velocities of grid nodes.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
 #include "solver/boundary/obstacles.h"
 #include "solver/boundary/scripted.h"
+#include "solver/engine/engine_types.h"
 #include "solver/grid/grid.h"
 
 namespace bake {
 
 struct Scene;
 
-/// Heat that a collider offers to the dough it touches.
+/// Heat that a collider or a face of the domain offers to the dough it touches.
 struct ContactHeat {
-  double heat_transfer_coefficient = 0;  ///< beta [W/(m^2 K)]
+  double heat_transfer_coefficient = 0;  ///< beta [W/(m^2 K)]; infinite: the dough's surface has that temperature
   double temperature = 0;                ///< theta [C]
-  bool operator==(const ContactHeat&) const = default;
+  double flux = 0;                       ///< that comes in whatever the temperatures are [W/m^2]
+  bool is_simple() const { return heat_transfer_coefficient < k_infinity && flux == 0; }
+  int giver = -1;  ///< number of who it is among givers_of(scene), if the ledger tells what it gives
+  /// Whoever gives it.
+  bool operator==(const ContactHeat& other) const {
+    return heat_transfer_coefficient == other.heat_transfer_coefficient && temperature == other.temperature && flux == other.flux;
+  }
 };
 
 /// A temperature that a grip holds, and how far away [C, m].
@@ -43,15 +51,21 @@ class Contacts final : public Obstacles {
  public:
   Contacts(const Scene& scene, const GridGeometry& geometry);
 
-  /// Fixes all poses for a step that begins at `time`.
-  void prepare(double time);
+  /// Fixes all poses for a step that begins at `time`; `at_rest`: as they are then, and none moves on.
+  void prepare(double time, bool at_rest = false);
   /// Does anything touch the block or lie within `reach` of it?
   bool near(const BlockIndex& block, double reach) const;
   /// Does a collider lie within `reach` of the block?
   bool collider_near(const BlockIndex& block, double reach) const;
+  /// Does a collider or a face of the domain that passes heat lie within `reach` of the block?
+  bool cover_near(const BlockIndex& block, double reach) const;
+  /// Is dough mirrored at that face of the domain (x_min, x_max, y_min, ...) when its surface is measured? Not where heat or all passes.
+  bool is_mirror(int face) const { return is_mirror_[static_cast<std::size_t>(face)]; }
   /// Is there something that expels particles within `reach` of the block?
   bool expels_near(const BlockIndex& block, double reach) const;
-  bool push_out(Point& x, Vector3& v) const override;
+  bool push_out(Point& x, Vector3& v, double mass) const override { return push_out(x, v, mass, nullptr); }
+  /// The same; adds to `given`, if not null, what each of givers_of(scene) gave.
+  bool push_out(Point& x, Vector3& v, double mass, Given* given) const;
   /// Applies every contact to a node: returns the velocity after contact. `around`: the nodes around one that may be beside a collider
   /// (see reach_beside_colliders), before contact.
   ///
@@ -61,14 +75,21 @@ class Contacts final : public Obstacles {
   /// only nodes inside moved, with the velocity of the collider, the last layer of dough, which nothing holds but the next node inside,
   /// would be squashed before the rest is pressed. Whether dough touches is known from the mass of the column's nodes beside that of node
   /// k.
-  Vector3 velocity_after(const Point& x, Vector3 v, const NodesAround* around = nullptr) const;
+  Vector3 velocity_after(const Point& x, Vector3 v, const NodesAround* around = nullptr) const {
+    return after_all<false>(x, v, around, 0, nullptr);
+  }
+  /// The same of a node of the mass `mass`; adds to `given` what each of givers_of(scene) gave.
+  Vector3 velocity_after(const Point& x, Vector3 v, const NodesAround* around, double mass, Given* given) const {
+    return after_all<true>(x, v, around, mass, given);
+  }
   /// All nodes that contact with a collider depends on are no further from it than this [m].
   double reach_beside_colliders() const { return 2.1 * geometry_.dx(); }
-  /// Does a solid stand within `reach` of a surface at `x`, in front of its outward normal `n` if that is known: does its nearest face look
-  /// against n, or is a face nearer by reach / 2 if one goes that far along n, as where walls meet? Its heat, zero if it gives none.
+  /// Does a solid, or a face that passes heat, stand within `reach` of a surface at `x`, in front of its outward normal `n` if that is
+  /// known: does its nearest face look against n, or is a face nearer by reach / 2 if one goes that far along n, as where walls meet? Its
+  /// heat, zero if it gives none.
   std::optional<ContactHeat> covering(const Point& x, const std::optional<Vector3>& n, double reach) const;
-  /// The share that colliders leave to the dough of what is averaged into phi~ at `x` (surface.h): 1 from 2.5 dx on, one half on the
-  /// face of one, 0 inside. Grips take nothing, since they hold dough.
+  /// The share that colliders and faces that pass heat leave to the dough of what is averaged into phi~ at `x` (surface.h): 1 from 2.5 dx
+  /// on, one half on the face of one, 0 inside. Grips take nothing, since they hold dough.
   double room(const Point& x) const;
   /// The nearest grip that holds a temperature, if one is within `reach` of `x`; distances in it are negative.
   std::optional<HeldNear> held_near(const Point& x, double reach) const;
@@ -89,6 +110,7 @@ class Contacts final : public Obstacles {
     std::optional<Curve> temperature;
     double heat_transfer_coefficient;
     double speed;  ///< largest in the domain over its whole path [m/s]
+    int giver;     ///< its number among givers_of(scene), or -1
   };
   struct Present {
     const Contacting* contact;
@@ -96,6 +118,8 @@ class Contacts final : public Obstacles {
     Box3 bounds;
     double temperature;
   };
+  template <bool tells>
+  Vector3 after_all(const Point& x, Vector3 v, const NodesAround* around, double mass, Given* given) const;
   bool reaches(const Present& present, const BlockIndex& block, double reach) const;
   /// Distance of `x` from it, negative inside; none if that is more than `reach`.
   static std::optional<double> distance_within(const Present& present, const Point& x, double reach);
@@ -106,16 +130,29 @@ class Contacts final : public Obstacles {
   /// A node this close to a solid is in it: faces are often drawn through nodes, whose positions are rounded [m].
   double touching() const { return 1e-6 * geometry_.dx(); }
 
-  struct DomainFace {
+  struct FaceOfDomain {
     int axis;
     double sign;  ///< of the inward normal
     double at;    ///< [m]
     Rule rule;
+    int giver;
+  };
+
+  /// A face of the domain that passes heat: for the measure of the surface a solid that fills the space beyond it.
+  struct Wall {
+    int axis;
+    double sign;  ///< of the inward normal
+    double at;    ///< [m]
+    std::optional<Curve> temperature, flux;
+    ContactHeat heat;  ///< at present
+    double distance(const Point& x) const { return sign * (x[static_cast<std::size_t>(axis)] - at); }
   };
 
   std::vector<Contacting> all_;
   std::vector<Present> present_;
-  std::vector<DomainFace> faces_;
+  std::vector<FaceOfDomain> faces_;
+  std::vector<Wall> walls_;
+  std::array<bool, 6> is_mirror_{true, true, true, true, true, true};
   double face_friction_;
   const GridGeometry geometry_;
   bool has_colliders_ = false, holds_temperatures_ = false;

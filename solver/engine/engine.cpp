@@ -7,25 +7,29 @@
 #include "solver/core/parallel.h"
 #include "solver/effects/fields.h"
 #include "solver/io/progress.h"
+#include "solver/scene/givers.h"
 
 namespace bake {
 
 template <class Real>
 Engine<Real>::Engine(const Scene& scene)
     : scene_(scene),
-      geometry_(scene.domain.min_m, scene.domain.max_m, scene.dx()),
+      geometry_(scene.domain.min_m, scene.domain.max_m, scene.dx(),
+                {scene.domain.is_periodic(0), scene.domain.is_periodic(1), scene.domain.is_periodic(2)}),
       physics_(make_physics_with_skins<Real>(scene)),
       kernel_(make_block_kernel<Real>(scene.grid.kernel, *physics_)),
       contacts_(scene, geometry_),
       scratch_(static_cast<std::size_t>(omp_get_max_threads())) {
   store_.columns = spare_.columns = physics_->column_count;
+  given_.resize(givers_of(scene).size());
 }
 
 template <class Real>
 Step<Real> Engine<Real>::current_step() const {
   const double dx = geometry_.dx();
   const double inverse_d = scene_.grid.kernel == KernelOrder::quadratic ? 4 : 3;
-  return {static_cast<Real>(dt_), static_cast<Real>(dt_), static_cast<Real>(dx), static_cast<Real>(inverse_d / (dx * dx))};
+  const Real dt = static_cast<Real>(dt_), baking_dt = settling_.now ? Real(0) : dt;
+  return {dt, dt, baking_dt, baking_dt, static_cast<Real>(dx), static_cast<Real>(inverse_d / (dx * dx))};
 }
 
 template <class Real>
@@ -42,8 +46,9 @@ BlockWork<Real> Engine<Real>::work(const Step<Real>& step) {
   const Face high[3] = {scene_.domain.x_max, scene_.domain.y_max, scene_.domain.z_max};
   for (int d = 0; d < 3; ++d) {
     w.origin[d] = static_cast<Real>(origin[static_cast<std::size_t>(d)]);
-    w.low_face[d] = static_cast<Real>(geometry_.low_face());
-    w.high_face[d] = static_cast<Real>(geometry_.high_face(d));
+    const bool is_periodic = geometry_.is_periodic(d);  // then nothing is held or lost
+    w.low_face[d] = static_cast<Real>(is_periodic ? -k_infinity : geometry_.low_face());
+    w.high_face[d] = static_cast<Real>(is_periodic ? k_infinity : geometry_.high_face(d));
     w.open_low[d] = low[d] == Face::open;
     w.open_high[d] = high[d] == Face::open;
   }
@@ -87,57 +92,85 @@ double Engine<Real>::next_step(double from, double target, double next_target) {
 
 template <class Real>
 void Engine<Real>::start(double first_target) {
-  contacts_.prepare(time_);
+  const bool settles = physics_->settling.damping > 0;
+  contacts_.prepare(time_, settles);
   update_grid();
-  pass(next_step(time_, first_target, first_target), true);
+  pass(time_, settles ? next_settling_step() : next_step(time_, first_target, first_target), settles, true);
+}
+
+/// Equal steps up to the end of settling.
+template <class Real>
+double Engine<Real>::next_settling_step() {
+  return next_step(settling_.time, physics_->settling.longest, physics_->settling.longest);
+}
+
+/// Adds the step that is taken to the time of settling. Returns whether another follows.
+template <class Real>
+bool Engine<Real>::settle_on() {
+  const SettlingRule& rule = physics_->settling;
+  settling_.time += dt_;
+  const bool slow = bounds_[static_cast<std::size_t>(rule.speed_bound)] <= rule.slow * rule.slow;  // false if that is no number
+  settling_.still_for = slow ? settling_.still_for + dt_ : 0;
+  settling_.is_still = settling_.still_for * rule.damping >= 1;
+  return !settling_.is_still && settling_.time < rule.longest - 1e-9 * dt_;
 }
 
 template <class Real>
 void Engine<Real>::step(double target, double next_target) {
   const double began = steady_seconds();
-  contacts_.prepare(time_);
+  contacts_.prepare(time_, settling_.now);
   update_grid();
   const double updated = steady_seconds(), ordered = phases_.ordering;
-  const double after = time_ + dt_;
-  const bool reaches = after >= target - 1e-9 * dt_;
-  pass(next_step(reaches ? target : after, target, next_target), reaches);
-  time_ = reaches ? target : after;
+  const bool reaches = !settling_.now && time_ + dt_ >= target - 1e-9 * dt_;
+  const double after = settling_.now ? time_ : reaches ? target : time_ + dt_;
+  const bool settles_on = settling_.now && settle_on();
+  pass(after, settles_on ? next_settling_step() : next_step(after, target, next_target), settles_on, reaches);
+  time_ = after;
   ++counters_.steps;
   counters_.particle_steps += static_cast<std::int64_t>(particle_count_);
   phases_.grid += updated - began;
   phases_.transfer += steady_seconds() - updated - (phases_.ordering - ordered);
 }
 
+/// `after`: when the next step begins, which takes `next_dt` and may belong to settling.
 template <class Real>
-void Engine<Real>::pass(double next_dt, bool sample) {
+void Engine<Real>::pass(double after, double next_dt, bool next_settles, bool sample) {
   Step<Real> step = current_step();
   step.dt_next = static_cast<Real>(next_dt);
+  step.baking_dt_next = next_settles ? Real(0) : step.dt_next;
   BlockWork<Real> w = work(step);
-  velocity_.resize_and_forget(0);
+  sampled_.resize_and_forget(0);
   if (sample && physics_->moves) {
-    velocity_.resize_and_forget(store_.tiles.size() * 3 * k_width<Real>);
-    w.velocity = velocity_.data();
+    sampled_.resize_and_forget(store_.tiles.size() * static_cast<std::size_t>(physics_->sampled() * k_width<Real>));
+    w.sampled = sampled_.data();
   }
   results_.resize(store_.blocks.size());
-  for (const auto& columns : colours_.columns)
+  if (!given_.empty()) {
+    home_given_.assign(store_.blocks.size() * given_.size(), {});
+    w.given = home_given_.data();
+    w.givers = given_.size();
+  }
+  for (const auto& columns : colours_)
     for_each_parallel(columns.size(), 1, [&](std::size_t c) {
       Scratch<Real>& scratch = scratch_[static_cast<std::size_t>(omp_get_thread_num())];
       for (std::int32_t b = columns[c].first; b < columns[c].second; ++b)
         kernel_->advance(w, b, scratch, results_[static_cast<std::size_t>(b)], sample);
     });
   dt_ = next_dt;
+  settling_.now = next_settles;
   bounds_ = {};
   if (sample) {
     totals_ = {};
     highest_.fill(k_lowest);
   }
   reduce(results_);
+  if (!given_.empty()) sum_given(home_given_);
   std::vector<Migrant<Real>> migrants;
   for (auto& r : results_)
     for (auto& e : r.migrants) migrants.push_back(std::move(e));
   const bool is_stale = physics_->moves && counters_.steps - last_sorted_ >= k_most_steps_unsorted;
   if (!migrants.empty() || is_stale) migrate_particles(migrants);
-  if (skins_) pull_skins(sample);
+  if (skins_) pull_skins(after, sample);
 }
 
 template <class Real>
@@ -151,9 +184,19 @@ void Engine<Real>::reduce(const std::vector<BlockResult<Real>>& results) {
   }
 }
 
+/// In the order of the blocks.
+template <class Real>
+void Engine<Real>::sum_given(const std::vector<Given>& of_blocks) {
+  for (std::size_t i = 0; i < of_blocks.size(); ++i) {
+    Given& sum = given_[i % given_.size()];
+    sum.impulse = sum.impulse + of_blocks[i].impulse;
+    sum.heat += of_blocks[i].heat;
+  }
+}
+
 template <class Real>
 std::size_t Engine<Real>::bytes() const {
-  return store_.data.bytes() + spare_.data.bytes() + scattered_.bytes() + spare_rows_.bytes() + gathered_.bytes() + velocity_.bytes() +
+  return store_.data.bytes() + spare_.data.bytes() + scattered_.bytes() + spare_rows_.bytes() + gathered_.bytes() + sampled_.bytes() +
          (store_.tiles.capacity() + spare_.tiles.capacity()) * sizeof(Tile) +
          (store_.blocks.capacity() + spare_.blocks.capacity()) * sizeof(HomeBlock) + active_.slot_of.capacity() * sizeof(std::int32_t) +
          surface_.bytes();

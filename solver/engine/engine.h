@@ -51,17 +51,20 @@ class Engine {
   double dt() const { return dt_; }
   const Counters& counters() const { return counters_; }
   std::size_t identities_given() const { return static_cast<std::size_t>(next_identity_); }  ///< those of particles are below
-  const Budget& booked() const { return booked_; }     ///< sums since the start (area: of the last step)
-  const Totals& totals() const { return totals_; }     ///< at the last sample
-  const Totals& retired() const { return retired_; }   ///< sums since the start over particles when they left
-  const Totals& emitted() const { return emitted_; }   ///< sums since the start over particles when they were poured
-  const Highest& highest() const { return highest_; }  ///< at the last sample; -1e30 without particles
-  const Bounds& bounds() const { return bounds_; }     ///< of the last step
+  const Budget& booked() const { return booked_; }            ///< sums since the start (area: of the last step)
+  const Totals& totals() const { return totals_; }            ///< at the last sample
+  const Totals& retired() const { return retired_; }          ///< sums since the start over particles when they left
+  const Totals& emitted() const { return emitted_; }          ///< sums since the start over particles when they were poured
+  const Highest& highest() const { return highest_; }         ///< at the last sample; -1e30 without particles
+  const Bounds& bounds() const { return bounds_; }            ///< of the last step
+  const std::vector<Given>& given() const { return given_; }  ///< sums since the start, by their numbers among givers_of(scene)
   const PhaseSeconds& phases() const { return phases_; }
+  const Settling& settling() const { return settling_; }
   std::size_t particles() const { return particle_count_; }                  ///< without the vertices of skins
   const Sheets<Real>* skins() const { return skins_ ? &*skins_ : nullptr; }  ///< null without skins
   const ParticleStore<Real>& store() const { return store_; }
-  const AlignedBuffer<Real>& velocity() const { return velocity_; }  ///< [tile][3][W] right after a sample; empty where nothing moves
+  /// [tile][Physics::sampled()][W] right after a sample; empty where nothing moves.
+  const AlignedBuffer<Real>& sampled() const { return sampled_; }
   const Physics<Real>& physics() const { return *physics_; }
   const GridGeometry& geometry() const { return geometry_; }
   int scattered_row() const { return kernel_->scattered_row(); }  ///< numbers per node of the scattered grid
@@ -74,14 +77,19 @@ class Engine {
   void read(const CheckpointReader& in);
 
  private:
-  struct ColourColumns {
-    BlockColumns columns[4];  ///< blocks of columns of one colour never touch the same node
-  };
-
   Step<Real> current_step() const;
   BlockWork<Real> work(const Step<Real>& step);
   void update_grid();
   void update_block(std::size_t slot, const Air& air, const Step<Real>& step, Budget& booked);
+  Given* given_in(std::size_t slot) { return block_given_.data() + slot * given_.size(); }
+  Vector3 touched(std::size_t slot, int node, const NodeSums<Real>* sums, const Point& x, const Vector3& v, const NodesAround* around);
+  template <class Power>
+  void tell_heat(Power power);
+  double face_beyond_grip() const;
+  bool is_held(std::size_t slot, int node) const;
+  void sum_given(const std::vector<Given>& of_blocks);
+  /// Its mean over the step that begins at `time`.
+  Vector3 gravity_from(double time) const { return physics_->gravity.mean(time, settling_.now ? time : time + dt_); }
   void find_fall(Lanes<Real> (&dv)[3]) const;
   class Around;
   void touch_colliders();
@@ -98,14 +106,17 @@ class Engine {
   template <class Theta>
   void book_moved_heat(const NodeSums<Real>* sums, Theta theta, Budget& booked) const;
   Lanes<Real> temperatures(std::size_t slot, int pack) const;
-  void pass(double next_dt, bool sample);
+  bool settle_on();
+  double next_settling_step();
+  void damp(std::size_t slot, const NodeSums<Real>* sums, Lanes<Real> (*nodes)[k_most_channels], Budget& booked) const;
+  void pass(double after, double next_dt, bool next_settles, bool sample);
   void take_skins(Sheets<Real> skins);
-  void pull_skins(bool sample);
+  void pull_skins(double after, bool sample);
   void book_weight_of_skins();
   void migrate_particles(std::vector<Migrant<Real>>& migrants);
   void after_sorting();
   void remap_blocks(const ActiveBlocks& before);
-  void carry_velocity(const ParticleStore<Real>& before, const std::vector<NewParticle>& added);
+  void carry_sampled(const ParticleStore<Real>& before, const std::vector<NewParticle>& added);
   void reduce(const std::vector<BlockResult<Real>>& results);
   void scatter_new(const ParticleStore<Real>& fresh, const std::vector<Real>& start, bool poured);
   double next_step(double from, double target, double next_target);
@@ -124,11 +135,13 @@ class Engine {
   AlignedBuffer<Real> scattered_, spare_rows_;  ///< what the next grid update takes; a spare one to move it into other blocks
   AlignedBuffer<Real> gathered_;                ///< what the last grid update gave
   ActiveBlocks active_;
-  ColourColumns colours_;
-  AlignedBuffer<Real> velocity_;
+  std::vector<BlockColumns> colours_;  ///< blocks of columns of one colour never touch the same node
+  AlignedBuffer<Real> sampled_;
   std::vector<Scratch<Real>> scratch_;
   std::vector<BlockResult<Real>> results_;  ///< of the home blocks in a pass
   std::vector<Budget> block_budgets_;       ///< of the grid's blocks in an update
+  std::vector<Given> block_given_;          ///< the same of what each giver gave: [block][givers]
+  std::vector<Given> home_given_;           ///< of the home blocks in a pass
   ImplicitHeat<Real> implicit_heat_;
   std::vector<Real> heat_weight_, heat_transfer_;  ///< of the nodes, for backward Euler
   std::vector<NodeSums<Real>> sums_;               ///< of the nodes, W at a time
@@ -148,7 +161,9 @@ class Engine {
   Highest highest_{};
   Counters counters_;
   PhaseSeconds phases_;
+  Settling settling_;
   Budget booked_{};
+  std::vector<Given> given_;  ///< by their numbers among givers_of(scene)
   Totals totals_{}, retired_{}, emitted_{};
 };
 

@@ -28,6 +28,7 @@ void check_blocks(const ParticleStore<Real>& store, const GridGeometry& geometry
     const int at[3] = {block.at.x, block.at.y, block.at.z};
     for (int d = 0; d < 3; ++d) expect(at[d] > 0 && at[d] < geometry.blocks(d) - 1);
     for (int d = 0; d < 3; ++d) expect(block.low[d] >= 0 && block.high[d] >= 0 && block.high[d] < k_tile_side);
+    expect(geometry.wrapped(block.at) == block.at);
     expect(i == 0 || geometry.linear(store.blocks[i - 1].at) < geometry.linear(block.at));
     expect(block.first_tile == next_tile && block.tiles >= 0 && block.at_face == may_reach_face(block.at, geometry));
     next_tile += block.tiles;
@@ -75,7 +76,13 @@ void Engine<Real>::write(CheckpointWriter& out) const {
   const std::int64_t counts[] = {counters_.steps,   counters_.particle_steps, counters_.orderings, counters_.clamped,
                                  counters_.retired, next_identity_,           last_sorted_};
   out.add("counts", std::span<const std::int64_t>(counts));
+  std::vector<double> given;
+  for (const Given& g : given_) given.insert(given.end(), {g.impulse[0], g.impulse[1], g.impulse[2], g.heat});
+  if (!given.empty()) out.add("given", std::span<const double>(given));
   if (skins_) skins_->write(out);
+  if (!(physics_->settling.damping > 0)) return;
+  const double settling[] = {double(settling_.now), settling_.time, settling_.still_for, double(settling_.is_still)};
+  out.add("settling", std::span<const double>(settling));
 }
 
 template <class Real>
@@ -139,12 +146,24 @@ void Engine<Real>::read(const CheckpointReader& in) {
   std::copy(totals.begin(), totals.end(), totals_.begin());
   std::copy(retired.begin(), retired.end(), retired_.begin());
   std::copy(emitted.begin(), emitted.end(), emitted_.begin());
+  if (!given_.empty()) {
+    const auto given = in.array<double>("given");
+    expect(given.size() == 4 * given_.size());
+    expect_numbers(given, false);
+    for (std::size_t i = 0; i < given_.size(); ++i) given_[i] = {{given[4 * i], given[4 * i + 1], given[4 * i + 2]}, given[4 * i + 3]};
+  }
   time_ = numbers[0], dt_ = numbers[1];
   std::copy(bounds.begin(), bounds.end(), bounds_.begin());
   std::copy(highest.begin(), highest.end(), highest_.begin());
   counters_ = {counts[0], counts[1], counts[2], counts[3], counts[4]};
   next_identity_ = counts[5];
   last_sorted_ = counts[6];
+  if (!(physics_->settling.damping > 0)) return;
+  const auto settling = in.array<double>("settling");
+  expect(settling.size() == 4 && settling[1] >= 0 && settling[2] >= 0);
+  expect_numbers(settling, false);
+  settling_ = {settling[0] != 0, settling[1], settling[2], settling[3] != 0};
+  expect(!settling_.now || time_ == 0);
 }
 
 template void Engine<float>::write(CheckpointWriter&) const;

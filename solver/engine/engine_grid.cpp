@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 
+#include "solver/core/elementary.h"
 #include "solver/core/parallel.h"
 #include "solver/core/rows.h"
 #include "solver/core/vector3.h"
@@ -83,6 +84,7 @@ void Engine<Real>::update_grid() {
   const bool implicit = physics_->implicit_heat;
   if (implicit) heat_weight_.assign(nodes, Real(0)), heat_transfer_.assign(nodes, Real(0));
   block_budgets_.resize(blocks);
+  if (!given_.empty()) block_given_.assign(blocks * given_.size(), {});
   beside_collider_.assign(blocks, 0);
   const bool keeps_sums = (physics_->moves && contacts_.has_colliders()) || (implicit && physics_->moves_mass);
   if (keeps_sums) sums_.resize(blocks * k_packs<Real>);
@@ -91,11 +93,18 @@ void Engine<Real>::update_grid() {
     if (active_.touched[s]) update_block(s, air, step, block_budgets_[s]);
   });
   touch_colliders();
+  const auto taken_up = [&](double transfer, double source, double theta, double change) {
+    return physics_->printed_heat_transfer ? transfer * (theta - change) - source : source - transfer * theta;
+  };
   if (implicit) {
+    // conduction changes theta and with it what the surroundings give
+    tell_heat([&](double transfer, double source, double theta, double change) {
+      return taken_up(transfer, source, theta, change) + transfer * theta;
+    });
     const BlockWork<Real> w = work(step);
     booked_[static_cast<std::size_t>(physics_->heat_entry)] +=
-        implicit_heat_.solve(*kernel_, w, colours_.columns, scratch_, heat_weight_, heat_transfer_, physics_->temperature_channel, dt_,
-                             physics_->heat_tolerance, gathered_);
+        implicit_heat_.solve(*kernel_, w, colours_, scratch_, heat_weight_, heat_transfer_, physics_->temperature_channel,
+                             settling_.now ? 0 : dt_, physics_->heat_tolerance, gathered_);
     if (physics_->moves_mass)
       for (std::size_t s = 0; s < blocks; ++s)
         if (active_.touched[s])
@@ -104,6 +113,10 @@ void Engine<Real>::update_grid() {
   }
   booked_[k_area_entry] = booked_[k_contact_area_entry] = 0;  // of this step, not a sum
   for (const Budget& b : block_budgets_) add_to(booked_, b);
+  tell_heat([&](double transfer, double source, double theta, double change) {
+    return implicit ? -transfer * theta : taken_up(transfer, source, theta, change);
+  });
+  if (!given_.empty()) sum_given(block_given_);
   if (skins_) book_weight_of_skins();
 }
 
@@ -133,7 +146,7 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
     prefetch_rows(from + (k_block_nodes + n) * RS, W * RS);  // of the next block
     kernel_->take_nodes(from + n * RS, in);
     Surroundings<Real> around = surroundings(pack, has_surface ? &surface : nullptr, air);
-    if (at_contact && contacts_.holds_temperatures()) hold_temperatures(s, static_cast<int>(n), in, around);
+    if (at_contact && contacts_.holds_temperatures() && !settling_.now) hold_temperatures(s, static_cast<int>(n), in, around);
     physics_->update_nodes(in, out[pack], sums[pack], around, step, booked);
     for (int c = physics_->gather_channels; c < gathered_row(); ++c) out[pack][c] = Lanes<Real>{};
     if (physics_->moves)
@@ -145,9 +158,10 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
     }
   }
   if (force_) change_velocities(s, sums, out, booked, [&](int, const Point& x, const Vector3& v) { return force_(x, v, time_, dt_); });
+  if (settling_.now) damp(s, sums, out, booked);
   beside_collider_[s] = physics_->moves && contacts_.collider_near(active_.at[s], contacts_.reach_beside_colliders());
   if (physics_->moves && at_contact && !beside_collider_[s])
-    change_velocities(s, sums, out, booked, [&](int, const Point& x, const Vector3& v) { return contacts_.velocity_after(x, v); });
+    change_velocities(s, sums, out, booked, [&](int n, const Point& x, const Vector3& v) { return touched(s, n, sums, x, v, nullptr); });
   for (std::size_t pack = 0; pack < k_packs<Real>; ++pack) kernel_->put_nodes(out[pack], rows + pack * W * RG);
   if (physics_->moves && !beside_collider_[s]) book_momentum(s, sums, out, dv, booked);
   if (beside_collider_[s] || (physics_->implicit_heat && physics_->moves_mass))
@@ -161,10 +175,59 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
   }
 }
 
+/// The velocity of a node after contact. What its givers gave is noted, if the ledger wants to know.
+template <class Real>
+Vector3 Engine<Real>::touched(std::size_t slot, int node, const NodeSums<Real>* sums, const Point& x, const Vector3& v,
+                              const NodesAround* around) {
+  if (given_.empty()) return contacts_.velocity_after(x, v, around);
+  const Real mass = sums[node / k_width<Real>].inertia[node % k_width<Real>];
+  return contacts_.velocity_after(x, v, around, static_cast<double>(mass), given_in(slot));
+}
+
+/// Heat of the givers: power(transfer, its source, theta, its change in this step) [W] at each node before them. Where a grip holds the
+/// temperature, all heat is the grip's.
+template <class Real>
+template <class Power>
+void Engine<Real>::tell_heat(Power power) {
+  if (given_.empty() || settling_.now || physics_->temperature_channel < 0 || !physics_->needs_surface) return;
+  const auto RG = static_cast<std::size_t>(gathered_row());
+  for_each_parallel(active_.at.size(), 16, [&](std::size_t s) {
+    if (!active_.touched[s]) return;
+    const Real* rows = gathered_.data() + s * k_block_nodes * RG + physics_->temperature_channel;
+    surface_.tell(s, active_, [&](int giver, int node, double transfer, double source) {
+      if (is_held(s, node)) return;
+      const Real* theta = rows + static_cast<std::size_t>(node) * RG;
+      given_in(s)[giver].heat += dt_ * power(transfer, source, static_cast<double>(theta[0]), static_cast<double>(theta[-1]));
+    });
+  });
+}
+
 /// What gravity adds to velocities.
 template <class Real>
 void Engine<Real>::find_fall(Lanes<Real> (&dv)[3]) const {
-  for (std::size_t d = 0; d < 3; ++d) dv[d] = lanes<Real>(static_cast<Real>(dt_ * physics_->gravity[d] / physics_->inertia_scale));
+  const Vector3 g = gravity_from(time_);
+  for (std::size_t d = 0; d < 3; ++d) dv[d] = lanes<Real>(static_cast<Real>(dt_ * g[d] / physics_->inertia_scale));
+}
+
+/// While the dough settles, velocities decay. What that takes is booked.
+template <class Real>
+void Engine<Real>::damp(std::size_t slot, const NodeSums<Real>* sums, Lanes<Real> (*nodes)[k_most_channels], Budget& booked) const {
+  using V = Lanes<Real>;
+  const auto kept = static_cast<Real>(elementary::exp(-physics_->settling.damping * dt_));
+  Impulses<Real> impulses;
+  V taken{};
+  for (int pack = 0; pack < k_packs<Real>; ++pack) {
+    V impulse[3];
+    for (int d = 0; d < 3; ++d) {
+      const V before = nodes[pack][d], after = kept * before;
+      nodes[pack][d] = after;
+      impulse[d] = sums[pack].inertia * (after - before);
+      taken += Real(0.5) * sums[pack].inertia * (before * before - after * after);
+    }
+    impulses.add(pack * k_width<Real>, impulse);
+  }
+  impulses.book(geometry_.origin(active_.at[slot]), geometry_.dx(), booked);
+  booked[static_cast<std::size_t>(physics_->settling.damped_entry)] += sum_lanes(taken);
 }
 
 /// The nodes around one of a block beside a collider, before contact.
@@ -214,7 +277,7 @@ void Engine<Real>::touch_colliders() {
     const NodeSums<Real>* sums = &sums_[s * k_packs<Real>];
     change_velocities(s, sums, nodes, block_budgets_[s], [&](int n, const Point& x, const Vector3& v) {
       const Around around(*this, s, n);
-      return contacts_.velocity_after(x, v, &around);
+      return touched(s, n, sums, x, v, &around);
     });
     find_fall(dv);
     book_momentum(s, sums, nodes, dv, block_budgets_[s]);
@@ -255,9 +318,23 @@ Surroundings<Real> Engine<Real>::surroundings(int pack, const BlockSurroundings<
 /// kappa V_i / dx^2, as if through dx; for a face where the grip's is, that must be 1 / (s - d_0), so that (1 + d_0 - s) / (s - d_0) is
 /// added.
 template <class Real>
+double Engine<Real>::face_beyond_grip() const {
+  return physics_->conductivity_channel < 0 ? 0 : scene_.grid.kernel == KernelOrder::quadratic ? 0.11 : 0.15;
+}
+
+/// Does a grip hold the node's temperature?
+template <class Real>
+bool Engine<Real>::is_held(std::size_t slot, int node) const {
+  if (!contacts_.holds_temperatures()) return false;
+  const double reach = (face_beyond_grip() + 1e-6) * geometry_.dx();
+  const auto held = contacts_.held_near(node_position(geometry_.origin(active_.at[slot]), geometry_.dx(), node), reach);
+  return held && held->distance <= reach;
+}
+
+template <class Real>
 void Engine<Real>::hold_temperatures(std::size_t slot, int first, const Lanes<Real>* scattered, Surroundings<Real>& around) const {
   const bool conducts = physics_->conductivity_channel >= 0;
-  const double dx = geometry_.dx(), d_0 = !conducts ? 0 : scene_.grid.kernel == KernelOrder::quadratic ? 0.11 : 0.15;
+  const double dx = geometry_.dx(), d_0 = face_beyond_grip();
   for (int l = 0; l < k_width<Real>; ++l) {
     const auto held = contacts_.held_near(node_position(geometry_.origin(active_.at[slot]), dx, first + l), conducts ? (1 + d_0) * dx : 0);
     if (!held) continue;
@@ -355,16 +432,20 @@ void Engine<Real>::change_velocities(std::size_t slot, const NodeSums<Real>* sum
 }
 
 // All of them: the extern template of the class keeps a compiler from making one where it is called.
-#define BAKE_INSTANTIATE(Real)                                                                                         \
-  template void Engine<Real>::update_grid();                                                                           \
-  template void Engine<Real>::update_block(std::size_t, const Air&, const Step<Real>&, Budget&);                       \
-  template void Engine<Real>::touch_colliders();                                                                       \
-  template bool Engine<Real>::is_empty(const Real*) const;                                                             \
-  template Surroundings<Real> Engine<Real>::surroundings(int, const BlockSurroundings<Real>*, const Air&);             \
-  template void Engine<Real>::hold_temperatures(std::size_t, int, const Lanes<Real>*, Surroundings<Real>&) const;      \
-  template void Engine<Real>::book_momentum(std::size_t, const NodeSums<Real>*, const Lanes<Real>(*)[k_most_channels], \
-                                            const Lanes<Real>(&)[3], Budget&) const;                                   \
-  template void Engine<Real>::measure_published_surface(const Air&);                                                   \
+#define BAKE_INSTANTIATE(Real)                                                                                                       \
+  template void Engine<Real>::update_grid();                                                                                         \
+  template void Engine<Real>::update_block(std::size_t, const Air&, const Step<Real>&, Budget&);                                     \
+  template void Engine<Real>::touch_colliders();                                                                                     \
+  template void Engine<Real>::damp(std::size_t, const NodeSums<Real>*, Lanes<Real>(*)[k_most_channels], Budget&) const;              \
+  template Vector3 Engine<Real>::touched(std::size_t, int, const NodeSums<Real>*, const Point&, const Vector3&, const NodesAround*); \
+  template double Engine<Real>::face_beyond_grip() const;                                                                            \
+  template bool Engine<Real>::is_held(std::size_t, int) const;                                                                       \
+  template bool Engine<Real>::is_empty(const Real*) const;                                                                           \
+  template Surroundings<Real> Engine<Real>::surroundings(int, const BlockSurroundings<Real>*, const Air&);                           \
+  template void Engine<Real>::hold_temperatures(std::size_t, int, const Lanes<Real>*, Surroundings<Real>&) const;                    \
+  template void Engine<Real>::book_momentum(std::size_t, const NodeSums<Real>*, const Lanes<Real>(*)[k_most_channels],               \
+                                            const Lanes<Real>(&)[3], Budget&) const;                                                 \
+  template void Engine<Real>::measure_published_surface(const Air&);                                                                 \
   template Lanes<Real> Engine<Real>::temperatures(std::size_t, int) const;
 BAKE_INSTANTIATE(float)
 BAKE_INSTANTIATE(double)

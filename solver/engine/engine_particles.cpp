@@ -30,6 +30,7 @@ void Engine<Real>::add(const std::vector<NewParticle>& particles, bool poured) {
       x[d] = static_cast<Real>(nodes - 4 * *at[d]);
     }
     homes.push_back(find_home(block, x));
+    homes.back().block = geometry_.wrapped(homes.back().block);
   }
   std::vector<std::uint32_t> order(particles.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
@@ -81,7 +82,7 @@ void Engine<Real>::add(const std::vector<NewParticle>& particles, bool poured) {
   const ActiveBlocks before = active_;
   after_sorting();
   remap_blocks(before);
-  carry_velocity(spare_, particles);
+  carry_sampled(spare_, particles);
   scatter_new(fresh, start, poured);
 }
 
@@ -143,11 +144,12 @@ void Engine<Real>::after_sorting() {
     particle_count_ -= skins_->vertices_left();
   }
   active_.surround(store_.blocks, geometry_);
-  for (auto& columns : colours_.columns) columns.clear();
+  const int colours = geometry_.any_periodic() ? 3 : 2;  // along x and along y
+  colours_.assign(static_cast<std::size_t>(colours * colours), {});
   for (std::size_t i = 0; i < store_.blocks.size(); ++i) {
     const BlockIndex& b = store_.blocks[i].at;
     const bool same = i > 0 && store_.blocks[i - 1].at.x == b.x && store_.blocks[i - 1].at.y == b.y;
-    auto& columns = colours_.columns[(b.x & 1) * 2 + (b.y & 1)];
+    auto& columns = colours_[static_cast<std::size_t>(geometry_.colour(b.x, 0) * colours + geometry_.colour(b.y, 1))];
     if (same)
       columns.back().second = static_cast<std::int32_t>(i) + 1;
     else
@@ -200,6 +202,7 @@ void Engine<Real>::migrate_particles(std::vector<Migrant<Real>>& migrants) {
       x[d] = columns[k_position_column + d][e.lane] = inside;
     }
     homes[i] = find_home(block.at, x);
+    homes[i].block = geometry_.wrapped(homes[i].block);
   }
   std::sort(retired.begin(), retired.end());
   const auto leave_out = [&](std::int32_t tile, std::int32_t lane) {
@@ -210,31 +213,32 @@ void Engine<Real>::migrate_particles(std::vector<Migrant<Real>>& migrants) {
   const ActiveBlocks before = active_;
   after_sorting();
   remap_blocks(before);
-  carry_velocity(spare_, {});
+  carry_sampled(spare_, {});
   BlockWork<Real> w = work(current_step());
   for (std::size_t i = 0; i < migrants.size(); ++i)
     if (!migrants[i].retired) kernel_->scatter_rows(w, home_of(homes[i].block), homes[i].x, migrants[i].rows.data());
   phases_.ordering += steady_seconds() - began;
 }
 
-/// Sampled velocities follow their particles from the order `before` into the present one; those just added have their own.
+/// What was sampled follows its particles from the order `before` into the present one; those just added have their velocity.
 template <class Real>
-void Engine<Real>::carry_velocity(const ParticleStore<Real>& before, const std::vector<NewParticle>& added) {
+void Engine<Real>::carry_sampled(const ParticleStore<Real>& before, const std::vector<NewParticle>& added) {
   constexpr int W = k_width<Real>;
-  if (velocity_.size() == 0) return;
-  std::vector<std::array<Real, 3>> of(static_cast<std::size_t>(next_identity_));
+  if (sampled_.size() == 0) return;
+  const auto numbers = static_cast<std::size_t>(physics_->sampled());
+  std::vector<std::array<Real, 9>> of(static_cast<std::size_t>(next_identity_));
   for (std::size_t t = 0; t < before.tiles.size(); ++t)
     for (int l = 0; l < before.tiles[t].count; ++l)
-      for (std::size_t d = 0; d < 3; ++d)
+      for (std::size_t d = 0; d < numbers; ++d)
         of[static_cast<std::size_t>(identity_of<Real>(before.tile(t), l))][d] =
-            velocity_.data()[(t * 3 + d) * W + static_cast<std::size_t>(l)];
+            sampled_.data()[(t * numbers + d) * W + static_cast<std::size_t>(l)];
   for (std::size_t i = 0; i < added.size(); ++i)
     for (std::size_t d = 0; d < 3; ++d) of[of.size() - added.size() + i][d] = static_cast<Real>(added[i].velocity[d]);
-  velocity_.resize_and_forget(store_.tiles.size() * 3 * W);
+  sampled_.resize_and_forget(store_.tiles.size() * numbers * W);
   for (std::size_t t = 0; t < store_.tiles.size(); ++t)
     for (int l = 0; l < W; ++l)
-      for (std::size_t d = 0; d < 3; ++d)
-        velocity_.data()[(t * 3 + d) * W + static_cast<std::size_t>(l)] =
+      for (std::size_t d = 0; d < numbers; ++d)
+        sampled_.data()[(t * numbers + d) * W + static_cast<std::size_t>(l)] =
             of[static_cast<std::size_t>(identity_of<Real>(store_.tile(t), l))][d];
 }
 
@@ -245,7 +249,7 @@ void Engine<Real>::carry_velocity(const ParticleStore<Real>& before, const std::
   template void Engine<Real>::after_sorting();                                                         \
   template void Engine<Real>::remap_blocks(const ActiveBlocks&);                                       \
   template void Engine<Real>::migrate_particles(std::vector<Migrant<Real>>&);                          \
-  template void Engine<Real>::carry_velocity(const ParticleStore<Real>&, const std::vector<NewParticle>&);
+  template void Engine<Real>::carry_sampled(const ParticleStore<Real>&, const std::vector<NewParticle>&);
 BAKE_INSTANTIATE(float)
 BAKE_INSTANTIATE(double)
 #undef BAKE_INSTANTIATE

@@ -34,11 +34,11 @@ void Engine<Real>::take_skins(Sheets<Real> skins) {
 
 /// Forces at t + dt act in the step after. What gravity gives the skin's inertia beyond its mass is taken back.
 template <class Real>
-void Engine<Real>::pull_skins(bool sample) {
+void Engine<Real>::pull_skins(double after, bool sample) {
   skins_->find_forces(store_, geometry_, sample);
   const BlockWork<Real> w = work(current_step());
-  const Vector3 weight = (-dt_) * physics_->gravity;  // per excess mass
-  for (const auto& columns : colours_.columns)
+  const Vector3 weight = (-dt_) * gravity_from(after);  // per excess mass
+  for (const auto& columns : colours_)
     for_each_parallel(columns.size(), 1, [&](std::size_t c) {
       for (std::int32_t b = columns[c].first; b < columns[c].second; ++b) {
         const auto tiles = skins_->tiles_of(static_cast<std::size_t>(b));
@@ -59,7 +59,8 @@ void Engine<Real>::pull_skins(bool sample) {
 /// What gravity gave in this step to inertia beyond the mass of skins was booked and is taken back.
 template <class Real>
 void Engine<Real>::book_weight_of_skins() {
-  if (physics_->gravity == Vector3{0, 0, 0}) return;
+  const Vector3 gravity = gravity_from(time_);
+  if (gravity == Vector3{0, 0, 0}) return;
   Vector3 moment{0, 0, 0};
   double mass = 0;
   for (std::size_t v = 0; v < skins_->vertices(); ++v) {
@@ -67,7 +68,7 @@ void Engine<Real>::book_weight_of_skins() {
     mass += excess_mass_[v];
     moment = moment + excess_mass_[v] * skins_->position(v);
   }
-  const Vector3 impulse = (-dt_ * mass) * physics_->gravity, angular_impulse = (-dt_) * cross(moment, physics_->gravity);
+  const Vector3 impulse = (-dt_ * mass) * gravity, angular_impulse = (-dt_) * cross(moment, gravity);
   for (std::size_t d = 0; d < 3; ++d) {
     booked_[k_impulse_entry + d] += impulse[d];
     booked_[k_angular_impulse_entry + d] += angular_impulse[d];
@@ -77,7 +78,7 @@ void Engine<Real>::book_weight_of_skins() {
 #define BAKE_INSTANTIATE(Real)                                                                                              \
   template void Engine<Real>::cover(std::vector<SurfaceMesh>, const std::vector<NewParticle>&, const std::vector<double>&); \
   template void Engine<Real>::take_skins(Sheets<Real>);                                                                     \
-  template void Engine<Real>::pull_skins(bool);                                                                             \
+  template void Engine<Real>::pull_skins(double, bool);                                                                     \
   template void Engine<Real>::book_weight_of_skins();
 BAKE_INSTANTIATE(float)
 BAKE_INSTANTIATE(double)

@@ -25,6 +25,12 @@ struct NewParticle {
 /// node with `v`, in the step from `time` on for `dt` [s]. Called by several threads at once.
 using NodalForce = std::function<Vector3(const Point& x, const Vector3& v, double time, double dt)>;
 
+/// What a solid or a face of the domain gave to the dough.
+struct Given {
+  Vector3 impulse{0, 0, 0};  ///< [kg m/s]
+  double heat = 0;           ///< [J]
+};
+
 /// Counts since the start of the run.
 struct Counters {
   std::int64_t steps = 0;
@@ -32,6 +38,14 @@ struct Counters {
   std::int64_t orderings = 0;
   std::int64_t clamped = 0;  ///< times a particle was held at a face of the domain
   std::int64_t retired = 0;  ///< particles that left through open faces
+};
+
+/// The start in which the dough settles. The scene's time is 0 all the while.
+struct Settling {
+  bool now = false;       ///< does the step that comes next belong to it?
+  double time = 0;        ///< that it has taken [s]
+  double still_for = 0;   ///< no particle was faster than the rule says for so long [s]
+  bool is_still = false;  ///< did it end because the dough lay still?
 };
 
 /// Where the time of the steps went [s of the clock], since the engine was made.

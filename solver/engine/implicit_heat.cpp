@@ -34,7 +34,7 @@ double dot_product(const std::vector<Real>& a, const std::vector<Real>& b) {
 }  // namespace
 
 template <class Real>
-double ImplicitHeat<Real>::solve(const BlockKernel<Real>& kernel, BlockWork<Real> work, const BlockColumns (&colours)[4],
+double ImplicitHeat<Real>::solve(const BlockKernel<Real>& kernel, BlockWork<Real> work, const std::vector<BlockColumns>& colours,
                                  std::vector<Scratch<Real>>& scratch, const std::vector<Real>& weight,
                                  const std::vector<Real>& heat_transfer, int temperature_channel, double dt, double tolerance,
                                  AlignedBuffer<Real>& grid) {

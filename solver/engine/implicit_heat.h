@@ -18,9 +18,9 @@ class ImplicitHeat {
   /// Corrects the temperature (and its change, one channel before) in the gathered rows of `grid`. Nodes of weight 0 keep
   /// their temperature; `heat_transfer`: of the nodes with their surroundings [W/K]. Returns the heat that the correction brings in through
   /// surfaces and held nodes [J].
-  double solve(const BlockKernel<Real>& kernel, BlockWork<Real> work, const BlockColumns (&colours)[4], std::vector<Scratch<Real>>& scratch,
-               const std::vector<Real>& weight, const std::vector<Real>& heat_transfer, int temperature_channel, double dt,
-               double tolerance, AlignedBuffer<Real>& grid);
+  double solve(const BlockKernel<Real>& kernel, BlockWork<Real> work, const std::vector<BlockColumns>& colours,
+               std::vector<Scratch<Real>>& scratch, const std::vector<Real>& weight, const std::vector<Real>& heat_transfer,
+               int temperature_channel, double dt, double tolerance, AlignedBuffer<Real>& grid);
 
  private:
   AlignedBuffer<Real> in_, out_;

@@ -41,7 +41,7 @@ class Model final : public Physics<Real> {
 
   explicit Model(const Scene& scene);
 
-  void advance(V* columns, int material, const V* gathered, int gather_stride, V* scattered, int scatter_stride, V* velocity,
+  void advance(V* columns, int material, const V* gathered, int gather_stride, V* scattered, int scatter_stride, V* sampled,
                const Step<Real>& step, Report<Real>& report) const override;
   void start(V* columns, int material, const V* velocity, const V* affine, V* scattered, int scatter_stride, const Step<Real>& step,
              Report<Real>& report) const override;
@@ -344,7 +344,7 @@ void Model<Real, Effects...>::fill(V* columns, int lane, int material, double vo
 
 template <class Real, class... Effects>
 void Model<Real, Effects...>::advance(V* columns, int material, const V* gathered, int gather_stride, V* scattered, int scatter_stride,
-                                      V* velocity, const Step<Real>& step, Report<Real>& report) const {
+                                      V* sampled, const Step<Real>& step, Report<Real>& report) const {
   const Constants k = materials_[static_cast<std::size_t>(material)];
   Particle p(columns, k);
   const From from{gathered, gather_stride};
@@ -354,8 +354,11 @@ void Model<Real, Effects...>::advance(V* columns, int material, const V* gathere
     if (__builtin_expect(report.obstacles != nullptr, 0)) push_out(p, step, report);
   stress_and_scatter(p, k, scattered, scatter_stride, step, report);
   if constexpr (Particle::template has<field::Velocity>) {
-    if (velocity)
-      for (int i = 0; i < 3; ++i) velocity[i] = p[field::v][i];
+    if (sampled) {
+      for (int i = 0; i < 3; ++i) sampled[i] = p[field::v][i];
+      if (this->samples_stress)
+        for (int i = 0; i < 6; ++i) sampled[3 + i] = p[field::tau][i] / p[field::J];
+    }
   }
 }
 
@@ -407,8 +410,8 @@ void Model<Real, Effects...>::push_out(Particle& p, const Step<Real>& step, Repo
     }
     const Point x_0 = x;
     const Vector3 v_0 = v;
-    if (!report.obstacles->push_out(x, v)) continue;
     const auto m = static_cast<double>(mass[l]);
+    if (!report.obstacles->push_out(x, v, m)) continue;
     const Vector3 impulse = m * (v - v_0), angular_impulse = m * (cross(x, v) - cross(x_0, v_0));
     for (int d = 0; d < 3; ++d) {
       const auto i = static_cast<std::size_t>(d);

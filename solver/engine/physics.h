@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "solver/boundary/obstacles.h"
+#include "solver/core/curve.h"
 #include "solver/core/lanes.h"
 #include "solver/core/step_limit.h"
 #include "solver/core/surface_layer.h"
-#include "solver/core/vector3.h"
 
 namespace bake {
 
@@ -27,6 +27,8 @@ template <class Real>
 struct Step {
   Real dt = 0;         ///< of the step whose grid is being gathered [s]
   Real dt_next = 0;    ///< of the step that is being scattered [s]
+  Real baking_dt = 0;  ///< of heat, water, leavener: dt, but 0 while the dough settles [s]
+  Real baking_dt_next = 0;
   Real dx = 0;         ///< node distance [m]
   Real inverse_d = 0;  ///< D^-1 of the kernel [1/m^2]
 };
@@ -101,6 +103,15 @@ struct NodeSums {
   V heat_taken{};   ///< by what changes state at the nodes [J]
 };
 
+/// A start that takes speed from the dough until it lies still, before the scene's time begins.
+struct SettlingRule {
+  double damping = 0;    ///< rate at which velocities decay; 0: there is no such start [1/s]
+  double slow = 0;       ///< the dough lies still when none is faster for 1 / damping [m/s]
+  double longest = 0;    ///< it ends then, still or not [s]
+  int damped_entry = 0;  ///< in a Budget: energy that damping took [J]
+  int speed_bound = 0;   ///< in Bounds: |v|^2 [m^2/s^2]
+};
+
 /// A model as the engine sees it. All arrays of lanes are aligned to the register width.
 template <class Real>
 class Physics {
@@ -133,20 +144,24 @@ class Physics {
   int gather_channels = 0;   ///< numbers per node after it
 
   // What the engine does for the effects; each sets its own.
-  bool moves = false;                ///< nodes have velocities (gathered channels 0 to 2), which gravity and contacts change
-  Vector3 gravity{0, 0, 0};          ///< [m/s^2]
-  double inertia_scale = 1;          ///< inertial mass over mass
-  bool needs_surface = false;        ///< something passes the surface: it is measured
-  bool moves_mass = false;           ///< mass moves between nodes or leaves them: NodeSums::moved and evaporated
-  bool implicit_heat = false;        ///< conduction by backward Euler, to
-  double heat_tolerance = 0;         ///< this relative residual
-  int volume_channel = -1;           ///< in a scattered row; -1: no surface is measured
-  SurfaceLayer<Real> surface_layer;  ///< what resists fluxes through the surface
-  double surface_rounding = 0;       ///< area that smoothing takes off a curved surface, per (dx (k_1 + k_2))^2
-  int conductivity_channel = -1;     ///< in a scattered row; -1: the layer below the surface resists no heat
-  int filled_channel = 0;            ///< in a scattered row: above zero where there are particles
-  int temperature_channel = -1;      ///< in a gathered row, the change stands before it; -1: there is none
-  double moved_specific_heat = 0;    ///< of the mass that moves or leaves [J/(kg K)]
+  bool moves = false;                  ///< nodes have velocities (gathered channels 0 to 2), which gravity and contacts change
+  VectorCurve gravity{Vector3{}};      ///< [m/s^2]
+  double inertia_scale = 1;            ///< inertial mass over mass
+  SettlingRule settling;               ///< how the dough comes to rest before the scene's time begins
+  bool samples_stress = false;         ///< what is sampled is not the velocity alone
+  bool needs_surface = false;          ///< something passes the surface: it is measured
+  bool moves_mass = false;             ///< mass moves between nodes or leaves them: NodeSums::moved and evaporated
+  bool implicit_heat = false;          ///< conduction by backward Euler, to
+  double heat_tolerance = 0;           ///< this relative residual
+  bool printed_heat_transfer = false;  ///< surroundings take beta (theta_out - theta) from the nodes, theta being that before the step
+  int volume_channel = -1;             ///< in a scattered row; -1: no surface is measured
+  SurfaceLayer<Real> surface_layer;    ///< what resists fluxes through the surface
+  double surface_rounding = 0;         ///< area that smoothing takes off a curved surface, per (dx (k_1 + k_2))^2
+  int conductivity_channel = -1;       ///< in a scattered row; -1: the layer below the surface resists no heat
+  int filled_channel = 0;              ///< in a scattered row: above zero where there are particles
+  int temperature_channel = -1;        ///< in a gathered row, the change stands before it; -1: there is none
+  double moved_specific_heat = 0;      ///< of the mass that moves or leaves [J/(kg K)]
+  int sampled() const { return samples_stress ? 9 : 3; }  ///< numbers of a particle: velocity, Cauchy stress in the order of symmetric.h
   // where in a Budget the engine books what it knows only after the grid update
   int heat_entry = 0;            ///< heat that came in through surfaces [J]
   int left_heat_entry = 0;       ///< heat that mass took along when it left the nodes [J]
@@ -156,8 +171,8 @@ class Physics {
   /// Gathers and advances the particles of a tile from t to t + dt, then says what they scatter in the step after.
   /// `gathered`: values, d/dx, d/dy, d/dz, each `gather_stride` lanes apart.
   /// `scattered`: values, then the coefficients of the node offsets per axis (in node distances), `scatter_stride` apart.
-  /// `velocity`: if not null, receives the three components.
-  virtual void advance(V* columns, int material, const V* gathered, int gather_stride, V* scattered, int scatter_stride, V* velocity,
+  /// `sampled`: if not null, receives what frames show and no column keeps: sampled() numbers.
+  virtual void advance(V* columns, int material, const V* gathered, int gather_stride, V* scattered, int scatter_stride, V* sampled,
                        const Step<Real>&, Report<Real>&) const = 0;
   /// What new particles scatter in their first step.
   virtual void start(V* columns, int material, const V* velocity, const V* affine, V* scattered, int scatter_stride, const Step<Real>&,

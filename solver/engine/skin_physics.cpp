@@ -45,16 +45,16 @@ class SkinPhysics final : public Physics<Real> {
     mass_column_ = this->column_of(field::SolidMass::name);
   }
 
-  void advance(V* columns, int material, const V* gathered, int gather_stride, V* scattered, int scatter_stride, V* velocity,
+  void advance(V* columns, int material, const V* gathered, int gather_stride, V* scattered, int scatter_stride, V* sampled,
                const Step<Real>& step, Report<Real>& report) const override {
     const int skin = material - materials_;
     if (skin < 0) {
-      flesh_->advance(columns, material, gathered, gather_stride, scattered, scatter_stride, velocity, step, report);
+      flesh_->advance(columns, material, gathered, gather_stride, scattered, scatter_stride, sampled, step, report);
       close_nothing(scattered);
       return;
     }
     const V cover = columns[cover_column_];  // there is no volume that could change
-    of(skin).advance(columns, 0, gathered, gather_stride, scattered, scatter_stride, velocity, step, report);
+    of(skin).advance(columns, 0, gathered, gather_stride, scattered, scatter_stride, sampled, step, report);
     columns[cover_column_] = cover;
     put_in_place(columns, skin, scattered, scatter_stride);
   }

@@ -171,19 +171,22 @@ struct Images {
 };
 
 /// Is any node of the block an image?
-bool has_images(const BlockIndex& b, const GridGeometry& geometry) {
+bool has_images(const BlockIndex& b, const GridGeometry& geometry, const Contacts& contacts) {
   const int block[3] = {b.x, b.y, b.z};
-  for (int d = 0; d < 3; ++d)
-    for (const double face : {geometry.low_face(), geometry.high_face(d)})
-      if (4 * block[d] - k_mirrored <= face && face <= 4 * block[d] + 3 + k_mirrored) return true;
+  for (int f = 0; f < 6; ++f) {
+    const double face = f % 2 ? geometry.high_face(f / 2) : geometry.low_face();
+    if (4 * block[f / 2] - k_mirrored <= face && face <= 4 * block[f / 2] + 3 + k_mirrored && contacts.is_mirror(f)) return true;
+  }
   return false;
 }
 
 /// A block's own nodes along an axis, and what they are images of. Returns how many.
-int find_images(int block, int axis, const GridGeometry& geometry, Images (&found)[5]) {
+int find_images(int block, int axis, const GridGeometry& geometry, const Contacts& contacts, Images (&found)[5]) {
   int count = 0;
   found[count++] = {block, {0, 1, 2, 3}};
-  for (const int face : {static_cast<int>(geometry.low_face()), static_cast<int>(geometry.high_face(axis))}) {
+  for (int side = 0; side < 2; ++side) {
+    const int face = static_cast<int>(side ? geometry.high_face(axis) : geometry.low_face());
+    if (!contacts.is_mirror(2 * axis + side)) continue;
     const int others = count;
     for (int i = 0; i < 4; ++i) {
       const int node = 4 * block + i, image = 2 * face - node;
@@ -229,9 +232,11 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
   conductivity_.resize(conductivity_channel < 0 ? 0 : n);
   for (auto* field : {&volume_, &mirrored_, &smooth_, &filled_, &density_, &bend_}) field->resize(n);
   covers_.resize(n);
+  shares_.resize(n);
   blocks_.assign(n, {});
   for_each_parallel(n, 16, [&](std::size_t s) {
     covers_[s].clear();
+    shares_[s].clear();
     if (!active.touched[s]) return;
     const auto take = [&](int channel, Nodes& to) {
       for (std::size_t k = 0; k < k_block_nodes; ++k)
@@ -241,7 +246,7 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
     if (!conductivity_.empty()) take(conductivity_channel, conductivity_[s]);
     blocks_[s].has_volume = any_positive(volume_[s]);
   });
-  for_each_parallel(n, 16, [&](std::size_t s) { mirror(s, active, geometry); });
+  for_each_parallel(n, 16, [&](std::size_t s) { mirror(s, active, geometry, contacts); });
   for_each_parallel(n, 16, [&](std::size_t s) { smooth(s, active, geometry, contacts); });
   for_each_parallel(n, 16, [&](std::size_t s) { find_density(s, active, geometry, contacts); });
   heats_.clear();
@@ -250,13 +255,14 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
       if (std::find(heats_.begin(), heats_.end(), cover.heat) == heats_.end()) heats_.push_back(cover.heat);
 }
 
-/// Faces of the domain are mirrors, not surfaces: the volume of the mirrored dough is added.
+/// Faces of the domain that pass no heat are mirrors, not surfaces: the volume of the mirrored dough is added.
 template <class Real>
-void FreeSurfaceMeasure<Real>::mirror(std::size_t s, const ActiveBlocks& active, const GridGeometry& geometry) {
+void FreeSurfaceMeasure<Real>::mirror(std::size_t s, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts) {
   const BlockIndex& b = active.at[s];
-  if (!has_images(b, geometry)) return;
+  if (!has_images(b, geometry, contacts)) return;
   Images x[5], y[5], z[5];
-  const int xs = find_images(b.x, 0, geometry, x), ys = find_images(b.y, 1, geometry, y), zs = find_images(b.z, 2, geometry, z);
+  const int xs = find_images(b.x, 0, geometry, contacts, x), ys = find_images(b.y, 1, geometry, contacts, y),
+            zs = find_images(b.z, 2, geometry, contacts, z);
   blocks_[s].is_mirrored = true;
   mirrored_[s].fill(0);
   const auto add = [&](const Images& ix, const Images& iy, const Images& iz) {
@@ -292,7 +298,7 @@ void FreeSurfaceMeasure<Real>::smooth(std::size_t s, const ActiveBlocks& active,
   for (const Real phi : smooth_[s]) full += phi >= k_full, empty += phi < k_no_dough;
   blocks_[s].is_full = full == k_block_nodes;
   blocks_[s].is_empty = empty == k_block_nodes;
-  if (blocks_[s].is_empty || !contacts.collider_near(active.at[s], k_reach * dx)) return;
+  if (blocks_[s].is_empty || !contacts.cover_near(active.at[s], k_reach * dx)) return;
   blocks_[s].is_beside = true;
   const Point origin = geometry.origin(active.at[s]);
   for (std::size_t k = 0; k < k_block_nodes; ++k) {
@@ -359,10 +365,51 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
             if (cover == covers_[s].end()) cover = covers_[s].insert(cover, Cover{*heat, {}, {}});
             cover->density[k] = covered[k];
             cover->bend[k] = covered_bend[k];
+            if (heat->giver < 0) return;
+            auto share = std::find_if(shares_[s].begin(), shares_[s].end(), [&](const Share& h) { return h.giver == heat->giver; });
+            if (share == shares_[s].end()) share = shares_[s].insert(share, Share{heat->giver, *heat, {}});
+            share->density[k] = covered[k];
           });
 }
 
+template <class Real>
+std::pair<Real, Real> FreeSurfaceMeasure<Real>::through(std::size_t s, std::size_t k, Real area, const ContactHeat& heat) const {
+  const bool is_held = heat.heat_transfer_coefficient == k_infinity;
+  const Real transfer =
+      is_held && area > 0 && !conductivity_.empty() ? area * layer_.conductance(conductivity_[s][k], volume_[s][k]) : Real(0);
+  return {transfer, transfer * static_cast<Real>(heat.temperature) + area * static_cast<Real>(heat.flux)};
+}
+
+/// Null if no solid with that heat covers the block.
+template <class Real>
+const typename FreeSurfaceMeasure<Real>::Nodes* FreeSurfaceMeasure<Real>::of_cover(std::size_t slot, const ContactHeat& heat,
+                                                                                   Nodes Cover::*nodes) const {
+  for (const Cover& cover : covers_[slot])
+    if (cover.heat == heat) return &(cover.*nodes);
+  return nullptr;
+}
+
+/// Blurred r and r K of a block. False, and nothing done, if there is none around.
+template <class Real>
+template <class DensityOf, class BendOf>
+bool FreeSurfaceMeasure<Real>::find_blurred(std::size_t s, const ActiveBlocks& active, DensityOf density_of, BendOf bend_of, Nodes& r,
+                                            Nodes& bend) const {
+  Halo<Real, k_narrow> halo;
+  if (!load_halo<k_narrow>(active.around[s], density_of, halo)) return false;
+  blur(halo, Real(1), r);
+  load_halo<k_narrow>(active.around[s], bend_of, halo);
+  blur(halo, Real(1), bend);
+  return true;
+}
+
 /// A = V r f with blurred r, and what passes: the layer between the nodes and the surface conducts as well.
+template <class Real>
+typename FreeSurfaceMeasure<Real>::Passing FreeSurfaceMeasure<Real>::passing(std::size_t s, std::size_t k, Real r, Real bend,
+                                                                             Real beta) const {
+  const Real V = volume_[s][k], A = V * r * unrounded(r, bend, rounding_);
+  return {A, conductivity_.empty() ? A : A * layer_.share_that_passes(beta * V, conductivity_[s][k])};
+}
+
 template <class Real>
 bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& active, const Air& air, BlockSurroundings<Real>& out) const {
   if (!published_.empty()) {
@@ -370,39 +417,79 @@ bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& activ
     return true;
   }
   if (!blocks_[s].has_volume) return false;
-  const Nodes& V = volume_[s];
   bool any = false;
-  Halo<Real, k_narrow> halo;
-  const auto add = [&](auto density_of, auto bend_of, Real(&area)[k_block_nodes], double coefficient, double temperature) {
-    if (!load_halo<k_narrow>(active.around[s], density_of, halo)) return;
+  const auto add = [&](auto density_of, auto bend_of, Real(&area)[k_block_nodes], const ContactHeat& heat) {
+    Nodes r, bend;
+    if (!find_blurred(s, active, density_of, bend_of, r, bend)) return;
     if (!any) out = {};
     any = true;
-    Nodes r, bend;
-    blur(halo, Real(1), r);
-    load_halo<k_narrow>(active.around[s], bend_of, halo);
-    blur(halo, Real(1), bend);
-    const auto beta = static_cast<Real>(coefficient), beta_theta = static_cast<Real>(coefficient * temperature);
+    if (!heat.is_simple()) {
+      for (std::size_t k = 0; k < k_block_nodes; ++k) {
+        const Real A = passing(s, k, r[k], bend[k], Real(0)).area;
+        const auto [transfer, source] = through(s, k, A, heat);
+        area[k] += A;
+        out.heat_transfer[k] += transfer;
+        out.heat_transfer_source[k] += source;
+      }
+      return;
+    }
+    const auto beta = static_cast<Real>(heat.heat_transfer_coefficient),
+               beta_theta = static_cast<Real>(heat.heat_transfer_coefficient * heat.temperature);
     for (std::size_t k = 0; k < k_block_nodes; ++k) {
-      const Real A = V[k] * r[k] * unrounded(r[k], bend[k], rounding_);
+      const auto [A, passes] = passing(s, k, r[k], bend[k], beta);
       area[k] += A;
-      const Real passes = conductivity_.empty() ? A : A * layer_.share_that_passes(beta * V[k], conductivity_[s][k]);
       out.heat_transfer[k] += beta * passes;
       out.heat_transfer_source[k] += beta_theta * passes;
     }
   };
   add([&](std::size_t i) { return blocks_[i].has_density ? &density_[i] : nullptr; },
-      [&](std::size_t i) { return blocks_[i].has_density ? &bend_[i] : nullptr; }, out.area, air.heat_transfer_coefficient,
-      air.temperature);
-  for (const ContactHeat& heat : heats_) {
-    const auto of_cover = [&](std::size_t i, Nodes Cover::*nodes) -> const Nodes* {
-      for (const Cover& cover : covers_[i])
-        if (cover.heat == heat) return &(cover.*nodes);
-      return nullptr;
-    };
-    add([&](std::size_t i) { return of_cover(i, &Cover::density); }, [&](std::size_t i) { return of_cover(i, &Cover::bend); },
-        out.contact_area, heat.heat_transfer_coefficient, heat.temperature);
-  }
+      [&](std::size_t i) { return blocks_[i].has_density ? &bend_[i] : nullptr; }, out.area,
+      ContactHeat{air.heat_transfer_coefficient, air.temperature});
+  for (const ContactHeat& heat : heats_)
+    add([&](std::size_t i) { return of_cover(i, heat, &Cover::density); }, [&](std::size_t i) { return of_cover(i, heat, &Cover::bend); },
+        out.contact_area, heat);
   return any;
+}
+
+/// Of all covers with the same heat a giver has the share that its r has of theirs.
+template <class Real>
+void FreeSurfaceMeasure<Real>::tell(std::size_t s, const ActiveBlocks& active,
+                                    const std::function<void(int, int, double, double)>& visit) const {
+  if (!published_.empty()) {
+    for (std::size_t k = 0; k < k_block_nodes; ++k)
+      if (const int giver = published_givers_[s][k]; giver >= 0)
+        visit(giver, static_cast<int>(k), double(published_[s].heat_transfer[k]), double(published_[s].heat_transfer_source[k]));
+    return;
+  }
+  if (!blocks_[s].has_volume) return;
+  std::vector<std::pair<int, ContactHeat>> givers;  // in the order of their numbers
+  for (const std::int32_t slot : active.around[s]) {
+    if (slot < 0) continue;
+    for (const Share& share : shares_[static_cast<std::size_t>(slot)]) {
+      const auto at = std::find_if(givers.begin(), givers.end(), [&](const auto& giver) { return giver.first >= share.giver; });
+      if (at == givers.end() || at->first != share.giver) givers.insert(at, {share.giver, share.heat});
+    }
+  }
+  for (const auto& [giver, heat] : givers) {
+    const auto of_giver = [&, number = giver](std::size_t i) -> const Nodes* {
+      const auto share = std::find_if(shares_[i].begin(), shares_[i].end(), [&](const Share& h) { return h.giver == number; });
+      return share == shares_[i].end() ? nullptr : &share->density;
+    };
+    Nodes all, bend, own, same;
+    find_blurred(
+        s, active, [&, &heat = heat](std::size_t i) { return of_cover(i, heat, &Cover::density); },
+        [&, &heat = heat](std::size_t i) { return of_cover(i, heat, &Cover::bend); }, all, bend);
+    find_blurred(s, active, of_giver, of_giver, own, same);
+    for (std::size_t k = 0; k < k_block_nodes; ++k) {
+      if (!(own[k] > 0)) continue;
+      const auto beta = static_cast<Real>(heat.is_simple() ? heat.heat_transfer_coefficient : 0);
+      const Passing of_all = passing(s, k, all[k], bend[k], beta);
+      const double share = double(own[k] / all[k]), simple = double(beta * of_all.passes);
+      const auto [transfer, source] =
+          heat.is_simple() ? std::pair(simple, simple * heat.temperature) : std::pair<double, double>(through(s, k, of_all.area, heat));
+      visit(giver, static_cast<int>(k), share * transfer, share * source);
+    }
+  }
 }
 
 template class FreeSurfaceMeasure<float>;

@@ -17,6 +17,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 
 #include "solver/core/surface_layer.h"
 #include "solver/engine/contacts.h"
@@ -60,6 +61,9 @@ class FreeSurfaceMeasure {
   }
   /// What surrounds a block after either `measure`, or false if no surface is near. `air`: as given to measure_published.
   bool surround(std::size_t slot, const ActiveBlocks& active, const Air& air, BlockSurroundings<Real>& surroundings) const;
+  /// Calls visit(giver, node, heat transfer [W/K], its source [W]) for the part of either that single givers (ContactHeat) have at the
+  /// nodes of a block, as long as the last measure holds.
+  void tell(std::size_t slot, const ActiveBlocks& active, const std::function<void(int, int, double, double)>& visit) const;
 
  private:
   using Nodes = std::array<Real, k_block_nodes>;
@@ -74,7 +78,23 @@ class FreeSurfaceMeasure {
     ContactHeat heat;
     Nodes density, bend;  ///< r and r K of those nodes
   };
-  void mirror(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry);
+  /// Nodes of a block before which one giver stands.
+  struct Share {
+    int giver;
+    ContactHeat heat;
+    Nodes density;  ///< r of those nodes
+  };
+  /// Area, and as much of it as would pass the same heat without the layer.
+  struct Passing {
+    Real area, passes;
+  };
+  const Nodes* of_cover(std::size_t slot, const ContactHeat& heat, Nodes Cover::*nodes) const;
+  template <class DensityOf, class BendOf>
+  bool find_blurred(std::size_t slot, const ActiveBlocks& active, DensityOf density_of, BendOf bend_of, Nodes& r, Nodes& bend) const;
+  Passing passing(std::size_t slot, std::size_t node, Real r, Real bend, Real beta) const;
+  /// Heat transfer [W/K] through an area, and its source [W], where its temperature is held or a flux comes in.
+  std::pair<Real, Real> through(std::size_t slot, std::size_t node, Real area, const ContactHeat& heat) const;
+  void mirror(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
   void smooth(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
   void find_density(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
 
@@ -86,8 +106,10 @@ class FreeSurfaceMeasure {
   double rounding_ = 0;
   std::vector<Nodes> density_, bend_;  ///< r and r K of nodes that touch air
   std::vector<std::vector<Cover>> covers_;
-  std::vector<ContactHeat> heats_;  ///< of all covers, each once
+  std::vector<ContactHeat> heats_;          ///< of all covers, each once
+  std::vector<std::vector<Share>> shares_;  ///< of those covers that a giver has
   std::vector<BlockSurroundings<Real>> published_;
+  std::vector<std::array<int, k_block_nodes>> published_givers_;  ///< -1: none
 };
 
 extern template class FreeSurfaceMeasure<float>;

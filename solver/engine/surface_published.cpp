@@ -15,6 +15,7 @@ void FreeSurfaceMeasure<Real>::measure_published(const ParticleStore<Real>& stor
                                                  const GridGeometry& geometry, const Contacts& contacts, const Air& air) {
   const std::size_t n = active.at.size();
   published_.assign(n, {});
+  published_givers_.resize(n);
   const auto filled = [&](std::size_t slot, int node) {
     return rows[(slot * k_block_nodes + static_cast<std::size_t>(node)) * static_cast<std::size_t>(row_size) +
                 static_cast<std::size_t>(volume_channel)] > 0;
@@ -91,16 +92,18 @@ void FreeSurfaceMeasure<Real>::measure_published(const ParticleStore<Real>& stor
     });
   });
   for (std::size_t s = 0; s < n; ++s) {
-    const bool near_contact = contacts.near(active.at[s], geometry.dx());
+    const bool near_contact = contacts.near(active.at[s], geometry.dx()) || contacts.cover_near(active.at[s], geometry.dx());
     BlockSurroundings<Real>& out = published_[s];
     for (int k = 0; k < k_block_nodes; ++k) {
       const Point x = node_position(geometry.origin(active.at[s]), geometry.dx(), k);
       const auto cover = near_contact && out.area[k] > 0 ? contacts.covering(x, std::nullopt, geometry.dx()) : std::nullopt;
       const Real A = out.area[k];
+      published_givers_[s][static_cast<std::size_t>(k)] = cover ? cover->giver : -1;
       if (cover) out.contact_area[k] = A, out.area[k] = 0;
       out.heat_transfer[k] = A * static_cast<Real>(cover ? cover->heat_transfer_coefficient : air.heat_transfer_coefficient);
       out.heat_transfer_source[k] = A * static_cast<Real>(cover ? cover->heat_transfer_coefficient * cover->temperature
                                                                 : air.heat_transfer_coefficient * air.temperature);
+      if (cover) out.heat_transfer_source[k] += A * static_cast<Real>(cover->flux);
     }
   }
 }

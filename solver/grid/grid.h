@@ -41,8 +41,10 @@ inline Point node_position(const Point& origin, double dx, int node) {
 class GridGeometry {
  public:
   /// `low`, `high`: corners of the domain [m]. The lower corner is a node, eight nodes from the grid's first, so that a stencil at a
-  /// face stays inside the grid.
-  GridGeometry(const Point& low, const Point& high, double dx) : dx_(dx) {
+  /// face stays inside the grid. `periodic`: axes whose two faces are one, a multiple of 4 cells apart; blocks beyond a face are then those
+  /// at the opposite one.
+  GridGeometry(const Point& low, const Point& high, double dx, const std::array<bool, 3>& periodic = {})
+      : dx_(dx), periodic_(periodic), any_periodic_(periodic[0] || periodic[1] || periodic[2]) {
     for (int d = 0; d < 3; ++d) {
       origin_[d] = low[d] - k_margin * dx;
       cells_[d] = std::max(1, static_cast<int>(std::ceil((high[d] - low[d]) / dx - 1e-6)));
@@ -63,6 +65,48 @@ class GridGeometry {
   Point origin(const BlockIndex& b) const { return {origin_[0] + 4 * b.x * dx_, origin_[1] + 4 * b.y * dx_, origin_[2] + 4 * b.z * dx_}; }
   /// Position in node distances from the grid's first node.
   double in_nodes(double x, int axis) const { return (x - origin_[axis]) / dx_; }
+  bool is_periodic(int axis) const { return periodic_[static_cast<std::size_t>(axis)]; }
+  bool any_periodic() const { return any_periodic_; }
+  /// Blocks from one periodic face to the other.
+  int period(int axis) const { return cells_[axis] / 4; }
+  /// The block between the periodic faces that is the same as `b`.
+  BlockIndex wrapped(BlockIndex b) const {
+    if (!any_periodic_) return b;
+    int* const at[3] = {&b.x, &b.y, &b.z};
+    for (int d = 0; d < 3; ++d)
+      if (is_periodic(d)) *at[d] = k_margin / 4 + ((*at[d] - k_margin / 4) % period(d) + period(d)) % period(d);
+    return b;
+  }
+  /// The place between the periodic faces that is the same as `x` [m].
+  Point wrapped(Point x) const {
+    for (int d = 0; d < 3; ++d) {
+      if (!is_periodic(d)) continue;
+      double& x_d = x[static_cast<std::size_t>(d)];
+      const double low = origin_[static_cast<std::size_t>(d)] + k_margin * dx_, length = cells_[d] * dx_;
+      if (x_d < low) x_d += length;
+      if (x_d >= low + length) x_d -= length;
+    }
+    return x;
+  }
+  /// Calls visit(block) for all blocks of the grid that are the same as `b`, which lies between the periodic faces.
+  template <class Visit>
+  void for_each_image(const BlockIndex& b, Visit visit) const {
+    const int at[3] = {b.x, b.y, b.z};
+    int first[3], step[3];
+    for (int d = 0; d < 3; ++d) {
+      step[d] = is_periodic(d) ? period(d) : blocks_[d];
+      first[d] = is_periodic(d) ? at[d] % step[d] : at[d];
+    }
+    for (int x = first[0]; x < blocks_[0]; x += step[0])
+      for (int y = first[1]; y < blocks_[1]; y += step[1])
+        for (int z = first[2]; z < blocks_[2]; z += step[2]) visit(BlockIndex{x, y, z});
+  }
+  /// The smallest number that no block beside it along that axis has: two in turn, and a third where an odd number of blocks closes to a
+  /// ring.
+  int colour(int block, int axis) const {
+    const bool closes = is_periodic(axis) && period(axis) % 2 != 0 && period(axis) > 1 && block == k_margin / 4 + period(axis) - 1;
+    return closes ? 2 : block & 1;
+  }
   /// Is the point in the domain, its faces included?
   bool holds(const Point& x) const {
     for (int d = 0; d < 3; ++d)
@@ -77,6 +121,8 @@ class GridGeometry {
   double dx_;
   Point origin_;
   int cells_[3], blocks_[3];
+  std::array<bool, 3> periodic_;
+  bool any_periodic_;
 };
 
 /// Which blocks exist, and in which order they are kept.
@@ -91,7 +137,7 @@ struct ActiveBlocks {
   /// they are first used; writes the neighbour tables.
   void surround(std::vector<HomeBlock>& homes, const GridGeometry& geometry) {
     if (slot_of.size() != geometry.block_count()) slot_of.assign(geometry.block_count(), -1);
-    for (const BlockIndex& b : at) slot_of[geometry.linear(b)] = -1;
+    for (const BlockIndex& b : at) geometry.for_each_image(b, [&](const BlockIndex& image) { slot_of[geometry.linear(image)] = -1; });
     at.clear();
     for (HomeBlock& home : homes) {
       for (int i = 0; i < 27; ++i) home.neighbour[i] = make(neighbour(home.at, i), geometry);
@@ -120,10 +166,11 @@ struct ActiveBlocks {
 
  private:
   std::int32_t make(const BlockIndex& b, const GridGeometry& geometry) {
-    std::int32_t& slot = slot_of[geometry.linear(b)];
+    std::int32_t slot = slot_of[geometry.linear(b)];
     if (slot < 0) {
       slot = static_cast<std::int32_t>(at.size());
-      at.push_back(b);
+      at.push_back(geometry.wrapped(b));
+      geometry.for_each_image(at.back(), [&](const BlockIndex& image) { slot_of[geometry.linear(image)] = slot; });
     }
     return slot;
   }
@@ -134,6 +181,7 @@ struct ActiveBlocks {
     int low[3] = {-1, -1, -1}, high[3] = {1, 1, 1};
     bool more = false;
     for (int d = 0; d < 3; ++d) {
+      if (geometry.is_periodic(d)) continue;
       const int low_face = static_cast<int>(geometry.low_face()) - first[d], high_face = static_cast<int>(geometry.high_face(d)) - first[d];
       if (low_face + k_mirrored >= -1) low[d] = std::min(-1, (low_face - k_mirrored) >> 2);
       if (high_face - k_mirrored <= 6) high[d] = std::max(1, (high_face + k_mirrored) >> 2);

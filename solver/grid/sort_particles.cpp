@@ -54,7 +54,7 @@ void write_keys(const ParticleStore<Real>& from, std::uint32_t first_tile, const
         if (l >= tile.count || (leave_out && (*leave_out)(t, l))) continue;
         const Real x[3] = {columns[0][l], columns[1][l], columns[2][l]};
         const Home<Real> home = find_home(block.at, x);
-        key.block = static_cast<std::uint32_t>(geometry.linear(home.block));
+        key.block = static_cast<std::uint32_t>(geometry.linear(geometry.wrapped(home.block)));
         key.cell = static_cast<std::uint16_t>(home.cell);
       }
     }
@@ -66,7 +66,7 @@ void write_keys(const ParticleStore<Real>& from, std::uint32_t first_tile, const
 bool may_reach_face(const BlockIndex& block, const GridGeometry& geometry) {
   const int first[3] = {4 * block.x, 4 * block.y, 4 * block.z};
   for (int d = 0; d < 3; ++d)
-    if (first[d] - 4 < geometry.low_face() || first[d] + 8 > geometry.high_face(d)) return true;
+    if (!geometry.is_periodic(d) && (first[d] - 4 < geometry.low_face() || first[d] + 8 > geometry.high_face(d))) return true;
   return false;
 }
 

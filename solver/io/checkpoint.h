@@ -56,7 +56,6 @@ class CheckpointReader {
   void expect(
       std::string_view fingerprint, Precision precision,
       const std::function<std::string()>& difference = [] { return std::string(); }) const;
-  bool has_array(const std::string& name) const { return in_.has("arrays/" + name); }
   /// T must be the type that was written.
   template <Hdf5Number T>
   std::vector<T> array(const std::string& name) const {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
 #include "solver/core/errors.h"
 #include "solver/io/hdf5.h"

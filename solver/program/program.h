@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "solver/scene/settings.h"
@@ -26,6 +27,17 @@ using Action = std::function<int()>;
 /// Reads the command line of `main`, runs the `action` that the requested command has set, and returns the program's exit code.
 /// Every error becomes one line `<program>: ...` on standard error. Waiting threads fall asleep soon (solver/program/waiting.h).
 int run_program(CLI::App& app, const Action& action, int count, char** words);
+
+/// Once the command is requested, `work` is what it does; it returns the exit code, or nothing where it can only succeed or throw.
+template <class Work>
+void on_request(CLI::App& command, Action& action, Work work) {
+  command.callback([&action, work] {
+    if constexpr (std::is_void_v<decltype(work())>)
+      action = [work] { return work(), k_success; };
+    else
+      action = work;
+  });
+}
 
 /// Takes whole numbers from `low` to `high`, in base ten: CLI11 by itself reads 010 as 8. To be given to CLI::Option::transform.
 CLI::Validator whole_number(std::int64_t low, std::int64_t high);

@@ -183,6 +183,12 @@ EmitterState::EmitterState(const Scene& scene, const Emitter& emitter, std::size
   for (const Point& x : points) expected.in_domain(x - (dot(x, direction_) - rear_) * direction_);
   slices_ = static_cast<std::int64_t>(std::ceil((front_ - rear_) / shape_.spacing));
   slice_s_ = (front_ - rear_) / (static_cast<double>(slices_) * speed_);
+  per_second_ = static_cast<double>(points.size()) * speed_ / (front_ - rear_);
+}
+
+double EmitterState::particles_by(double end, bool mean) const {
+  const double pours = std::max(std::min(end, emitter_.until_s) - emitter_.from_s, 0.0);
+  return per_second_ * pours * (mean ? (end - emitter_.from_s - pours / 2) / end : 1);
 }
 
 std::vector<Point> EmitterState::filling(std::int64_t portion) const {

@@ -44,6 +44,8 @@ class EmitterState {
   /// Returns the particles of the next slice as they are at next_time(), and advances to the one after it.
   std::vector<NewParticle> pour();
   std::int64_t poured() const { return poured_; }
+  /// Particles that it has poured by the time `end`, about; `mean`: on average over the time from 0 to `end`.
+  double particles_by(double end, bool mean) const;
   void skip_to(std::int64_t poured) { poured_ = poured; }  ///< used when a checkpoint is read
 
  private:
@@ -58,6 +60,7 @@ class EmitterState {
   double front_, rear_;        ///< of the shape, along the direction [m]
   std::int64_t slices_;        ///< of a portion
   double slice_s_;             ///< time in which a slice passes
+  double per_second_;          ///< particles
   std::int64_t poured_ = 0;    ///< slices
   std::int64_t portion_ = -1;  ///< whose points are kept
   std::vector<Point> points_;

@@ -114,10 +114,35 @@ std::vector<std::string> ledger_columns() {
   return names;
 }
 
+const std::vector<GiverColumn>& giver_columns() {
+  static const std::vector<GiverColumn> all = [] {
+    std::vector<GiverColumn> columns;
+    for (std::size_t d = 0; d < 3; ++d)
+      columns.push_back({fmt::format("_impulse_{}_kg_m_per_s", "xyz"[d]), "kg m/s",
+                         "impulse that it gave to the dough; its change from row to row over the time between them is the force", false,
+                         [d](const Given& given) { return given.impulse[d]; }});
+    columns.push_back(
+        {"_heat_J", "J", "heat that it gave to the dough; grips have no such column", true, [](const Given& given) { return given.heat; }});
+    return columns;
+  }();
+  return all;
+}
+
+std::vector<std::string> ledger_columns(const Scene& scene) {
+  std::vector<std::string> names = ledger_columns();
+  for (const Giver& giver : givers_of(scene))
+    for (const GiverColumn& column : giver_columns())
+      if (giver.gives_heat || !column.is_heat) names.push_back(giver.name + column.end);
+  return names;
+}
+
 std::vector<double> ledger_row(const Simulation& simulation) {
   std::vector<double> row;
   const Box3 extent = simulation.extent();
   for (const LedgerColumn& column : ledger()) row.push_back(column.value(simulation, extent));
+  for (std::size_t g = 0; g < simulation.givers().size(); ++g)
+    for (const GiverColumn& column : giver_columns())
+      if (simulation.givers()[g].gives_heat || !column.is_heat) row.push_back(column.value(simulation.given()[g]));
   return row;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "solver/boundary/shape.h"
+#include "solver/engine/engine_types.h"
 
 namespace bake {
 
@@ -26,6 +27,16 @@ struct LedgerColumn {
 /// All columns in their order; those of effects that a scene does not list are zero.
 const std::vector<LedgerColumn>& ledger();
 std::vector<std::string> ledger_columns();
+/// The columns of a scene's run: those, and behind them those of each of its givers (solver/scene/givers.h).
+std::vector<std::string> ledger_columns(const Scene& scene);
+/// A column that a scene has for each of its givers.
+struct GiverColumn {
+  std::string end;  ///< of its name, behind that of the giver: "_heat_J"
+  std::string unit, meaning;
+  bool is_heat;
+  std::function<double(const Given&)> value;
+};
+const std::vector<GiverColumn>& giver_columns();
 /// One row: what a simulation's ledger says now, at its last sample.
 std::vector<double> ledger_row(const Simulation& simulation);
 /// Does the scene list the effect whose column this is?

@@ -29,6 +29,8 @@ struct ShownWords {
   }
 };
 
+constexpr const char* k_booked_of_giver = "booked in every step, summed since the start";
+
 std::string whose(const std::string& effect) { return effect.empty() ? "every run" : effect; }
 
 /// "theta_p: temperature [Ding19 Eq. 9]" in its three parts; the first and the last may be missing.
@@ -118,6 +120,10 @@ std::string explain_column(std::string_view name) {
   };
   for (const LedgerColumn& c : ledger())
     if (c.name == name) add(fmt::format("{}, a column of ledger.csv", c.name), c.meaning, c.unit, c.how, c.effect);
+  for (const char* kind : {"collider_", "grip_", "face_"})
+    for (const GiverColumn& c : giver_columns())
+      if (name.starts_with(kind) && name.ends_with(c.end))
+        add(fmt::format("{}, a column of ledger.csv where `ledger = true`", name), c.meaning, c.unit, k_booked_of_giver, "");
   for (const FrameColumnWords& c : frame_columns())
     if (c.name == name) add(fmt::format("{}, a column of frames", c.name), c.meaning, c.unit, "of each particle at the frame", c.effect);
   for (const FrameColumnWords& c : skin_columns())
@@ -147,6 +153,18 @@ One row a frame.
 What is booked closes the balance of what is summed, to round-off: mass of water + evaporated, momentum - impulse - water_remap_momentum,
 angular momentum - angular_impulse, and heat content - heat_exchanged + latent + vapour + expansion - water_remap stay as they were at the
 start, but for what was emitted and retired.
+
+A collider, a grip or a `[[face]]` of the domain with `ledger = true` has columns of its own behind these, called by what it is and its name,
+as in `collider_plate_impulse_z_kg_m_per_s`. They do not change the run.
+
+| column | unit | meaning | how it comes about |
+|---|---|---|---|
+)";
+  for (const GiverColumn& c : giver_columns())
+    page += fmt::format("| `..{}` | {} | {} | {} |\n", c.end, c.unit, c.meaning, k_booked_of_giver);
+  page += R"(
+Impulses of all colliders, grips and faces, of gravity and of vapour together are `impulse`; heats of all colliders, faces and grips and of
+the air are `heat_exchanged`.
 
 ## frames/*.hdf
 

@@ -22,6 +22,7 @@
 #include "solver/io/scratch_folder.h"
 #include "solver/run/check_scene.h"
 #include "solver/run/describe_bodies.h"
+#include "solver/run/fill_scene.h"
 #include "solver/run/frame_times.h"
 #include "solver/run/ledger.h"
 #include "solver/run/results_folder.h"
@@ -77,11 +78,16 @@ double value(const std::vector<double>& row, std::string_view column) {
 }
 
 std::string summary_text(const Scene& scene, const ResultsFolder& results, const std::vector<double>& first,
-                         const std::vector<double>& last, double inertia_scale, double wall, std::int64_t particle_steps) {
+                         const std::vector<double>& last, const Simulation& simulation, double wall, std::int64_t particle_steps) {
   const auto now = [&](std::string_view c) { return value(last, c); };
   std::string text =
       fmt::format("{}: {:.4g} s simulated, {} particles, {} steps\n", scene.title.empty() ? scene.file.stem().string() : scene.title,
                   now("time_s"), std::int64_t(now("particles")), std::int64_t(now("steps")));
+  const double inertia_scale = simulation.inertia_scale();
+  const Settling& settling = simulation.settling();
+  if (settling.time > 0)
+    text += fmt::format("  settled      for {:.4g} s before its time began, {:.3g} J damped; {}\n", settling.time, now("damped_J"),
+                        settling.is_still ? "then it was still" : "it was NOT still then: see motion.settle_longest_s");
   const double volume = value(first, "volume_m3") + now("emitted_volume_m3"),
                water = value(first, "water_mass_kg") + now("emitted_water_mass_kg");
   if (volume > 0) text += fmt::format("  volume       x {:.3f} ({:.4g} m^3)\n", now("volume_m3") / volume, now("volume_m3"));
@@ -188,7 +194,7 @@ void Run::begin() {
   began_ = steady_seconds();
   try {
     save_description("running");
-    ledger_.emplace(LedgerFile::create(results_.ledger(), ledger_columns()));
+    ledger_.emplace(LedgerFile::create(results_.ledger(), ledger_columns(scene_)));
     if (!scene_.skins.empty()) results_.make_skins();
     save_frame(0, simulation_->shown_frame(), first_);
   } catch (...) {
@@ -227,7 +233,7 @@ void Run::resume() {
   wall_before_ = wall_so_far(results_);
   began_ = steady_seconds();
   results_.remove_frames_behind(frame_);
-  ledger_.emplace(LedgerFile::resume(results_.ledger(), ledger_columns(), times_(frame_)));
+  ledger_.emplace(LedgerFile::resume(results_.ledger(), ledger_columns(scene_), times_(frame_)));
   const Ledger rows = read_ledger(results_.ledger());
   first_ = rows.rows.front();
   last_ = rows.rows.back();
@@ -268,7 +274,7 @@ void Run::save_frame(int frame, const ShownFrame& shown, const std::vector<doubl
 /// Writes run.json: what the run is, and its state so far. Its seconds include those before the run was resumed.
 void Run::save_description(const char* state) const {
   nlohmann::json summary;
-  const auto names = ledger_columns();
+  const auto names = ledger_columns(scene_);
   for (std::size_t i = 0; i < last_.size(); ++i) summary[names[i]] = last_[i];
   summary["state"] = state;
   summary["wall_s"] = wall_before_ + wall_here();
@@ -306,7 +312,7 @@ void Run::expect_results() const {
 
 std::string Run::finish(const char* state) const {
   save_description(state);
-  return summary_text(scene_, results_, first_, last_, simulation_->inertia_scale(), wall_here(), steps_here());
+  return summary_text(scene_, results_, first_, last_, *simulation_, wall_here(), steps_here());
 }
 
 void Run::fail() noexcept {
@@ -380,6 +386,7 @@ namespace {
 /// Seconds per particle on this machine, and how the steps' mean length compares with the first one's.
 struct Costs {
   double step = 0, frame = 0, lengthening = 1;
+  double settling_s = 0;  ///< that was seen
 };
 
 /// Measures them by a second of steps, 20 at least, and a frame, at the start of a simulation.
@@ -390,14 +397,35 @@ Costs try_out(Simulation& simulation, double end) {
   int steps = 0;
   simulation.advance(end, end, [&] { return ++steps < k_fewest || steady_seconds() - began < k_trial_s; });
   const double taken = steady_seconds() - began;
-  const double lengthening = steps > 0 && first_step > 0 ? simulation.time() / steps / first_step : 1;
+  const double advanced = simulation.time() + simulation.settling().time;
+  const double lengthening = steps > 0 && first_step > 0 ? advanced / steps / first_step : 1;
   const ScratchFolder scratch;
-  simulation.write_frame_file(scratch / frame_name(0));  // the first frame takes much longer than later ones
+  const auto write = [&](int frame) {
+    const ShownFrame shown = simulation.shown_frame();
+    write_frame(scratch / frame_name(frame), shown.particles);
+    if (shown.skin) write_mesh(scratch / frame_name(frame + 2), *shown.skin);
+  };
+  write(0);  // the first frame takes much longer than later ones
   const double again = steady_seconds();
-  simulation.write_frame_file(scratch / frame_name(1));
+  write(1);
   const double particles = std::max(static_cast<double>(simulation.particles()), 1.0);
   return {taken / std::max(static_cast<double>(simulation.counters().particle_steps), 1.0), (steady_seconds() - again) / particles,
-          lengthening};
+          lengthening, simulation.settling().time};
+}
+
+/// Particles that emitters pour in a run.
+struct Poured {
+  double all = 0, mean = 0;  ///< at the end, and over the run
+};
+
+Poured poured_in(const Scene& scene) {
+  Poured poured;
+  for (std::size_t i = 0; i < scene.emitters.size(); ++i) {
+    const EmitterState emitter(scene, scene.emitters[i], i);
+    poured.all += emitter.particles_by(scene.run.end_s, false);
+    poured.mean += emitter.particles_by(scene.run.end_s, true);
+  }
+  return poured;
 }
 
 }  // namespace
@@ -423,18 +451,20 @@ std::string describe_scene(const Scene& scene, int threads) {
       continue;
     }
     const auto n = static_cast<double>(simulation->particles());
+    const Poured poured = poured_in(at);
+    const double mean = n + poured.mean;
     const double first_step = simulation->dt();
     if (!costs) {
       text += fmt::format("  memory       {}\n", simulation->memory_words());
       costs = try_out(*simulation, scene.run.end_s);
       tried = word_of(quality);
     }
-    const double steps = first_step > 0 ? std::ceil(scene.run.end_s / (first_step * costs->lengthening)) : 0;
+    const double steps = first_step > 0 ? std::ceil((scene.run.end_s + costs->settling_s) / (first_step * costs->lengthening)) : 0;
     const double frames = scene.run.end_s * scene.run.frame_rate_per_s;
-    text += fmt::format("  {:<12} dx {:.4g} m, {:.0f} particles, {:.0f} MB ({:.0f} bytes per particle), about {:.0f} steps, {}\n",
-                        word_of(quality), at.dx(), n, static_cast<double>(simulation->bytes()) / 1e6,
-                        n > 0 ? static_cast<double>(simulation->bytes()) / n : 0, steps,
-                        n > 0 ? clock_text(n * (steps * costs->step + frames * costs->frame)) : "no time at all");
+    text += fmt::format("  {:<12} dx {:.4g} m, {:.0f} particles{}, {:.0f} MB ({:.0f} bytes per particle), about {:.0f} steps, {}\n",
+                        word_of(quality), at.dx(), n, poured.all > 0 ? fmt::format(" and about {:.0f} poured", poured.all) : "",
+                        static_cast<double>(simulation->bytes()) / 1e6, n > 0 ? static_cast<double>(simulation->bytes()) / n : 0, steps,
+                        mean > 0 ? clock_text(mean * (steps * costs->step + frames * costs->frame)) : "no time at all");
   }
   for (const std::string& warning : warnings_about(scene)) text += fmt::format("  warning      {}\n", warning);
   for (const std::string& doubt : doubts_about_skins(scene)) text += fmt::format("  doubt        {}\n", doubt);

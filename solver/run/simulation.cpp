@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
 
 #include "solver/core/parallel.h"
+#include "solver/core/symmetric.h"
 #include "solver/core/vector3.h"
 #include "solver/effects/fields.h"
 #include "solver/engine/engine.h"
@@ -86,6 +89,7 @@ class SimulationOf final : public Simulation {
   double dt() const override { return engine_.dt(); }
   std::size_t particles() const override { return engine_.particles(); }
   const Counters& counters() const override { return engine_.counters(); }
+  const Settling& settling() const override { return engine_.settling(); }
   double amount(Sum kind, std::string_view symbol, int i) const override {
     const Physics<Real>& physics = engine_.physics();
     switch (kind) {
@@ -104,6 +108,8 @@ class SimulationOf final : public Simulation {
     }
     return 0;
   }
+  const std::vector<Giver>& givers() const override { return givers_; }
+  const std::vector<Given>& given() const override { return engine_.given(); }
   Box3 extent() const override {
     Box3 box{{k_infinity, k_infinity, k_infinity}, {-k_infinity, -k_infinity, -k_infinity}};
     for_each_particle([&](const ParticleSlot& p) {
@@ -130,7 +136,7 @@ class SimulationOf final : public Simulation {
       s.id.push_back(identity_of<Real>(p.columns, p.lane));
       s.material.push_back(engine_.store().tiles[p.tile].material);
       s.position.push_back(position(p));
-      if (engine_.velocity().size() > 0) s.velocity.push_back(velocity(p));
+      if (engine_.sampled().size() > 0) s.velocity.push_back(velocity(p));
     }
     for (const auto& c : engine_.physics().columns) {
       if (c.first == k_position_column || c.first == k_identity_column) continue;
@@ -146,13 +152,15 @@ class SimulationOf final : public Simulation {
     const std::vector<std::size_t> rows = rows_by_identity();
     const std::size_t n = particles();
     const auto& shown = engine_.physics().frame_columns;
-    const bool has_velocity = engine_.velocity().size() > 0;
+    const bool has_velocity = engine_.sampled().size() > 0;
     FrameData frame;
     const bool wide = stores_double_positions(std::is_same_v<Real, double>, farthest_coordinate(), scene_.dx());
     std::vector<float> narrow_positions(wide ? 0 : 3 * n);
     std::vector<double> wide_positions(wide ? 3 * n : 0);
     std::vector<std::int64_t> id(n), material(n);
     std::vector<float> v(has_velocity ? 3 * n : 0);
+    const bool has_stress = engine_.physics().samples_stress && (has_velocity || n == 0);
+    std::vector<float> tensors(has_stress ? 6 * n : 0), equivalent(has_stress ? n : 0);
     std::vector<std::vector<float>> scalars(shown.size(), std::vector<float>(n));
     const auto& store = engine_.store();
     for_each_parallel(store.blocks.size(), 4, [&](std::size_t b) {
@@ -171,6 +179,10 @@ class SimulationOf final : public Simulation {
           if (!has_velocity) return;
           const Vector3 v_p = velocity(p);
           for (std::size_t d = 0; d < 3; ++d) v[3 * row + d] = static_cast<float>(v_p[d]);
+          if (!has_stress) return;
+          const std::array<double, 6> s = stress(p);
+          for (std::size_t c = 0; c < 6; ++c) tensors[6 * row + c] = static_cast<float>(s[c]);
+          equivalent[row] = static_cast<float>(von_mises(s));
         });
         for (std::size_t c = 0; c < shown.size(); ++c) {
           double values[W];
@@ -188,6 +200,10 @@ class SimulationOf final : public Simulation {
     frame.columns.push_back({"id", "1", std::move(id)});
     frame.columns.push_back({"material", "1", std::move(material)});
     if (has_velocity || (n == 0 && engine_.physics().moves)) frame.columns.push_back({"velocity", "m/s", std::move(v), 3});
+    if (has_stress) {
+      frame.columns.push_back({field::CauchyStress::name, field::CauchyStress::unit, std::move(tensors), 6});
+      frame.columns.push_back({field::VonMisesStress::name, field::VonMisesStress::unit, std::move(equivalent)});
+    }
     for (std::size_t c = 0; c < shown.size(); ++c) frame.columns.push_back({shown[c].name, shown[c].unit, std::move(scalars[c])});
     return frame;
   }
@@ -220,7 +236,7 @@ class SimulationOf final : public Simulation {
       number.values.insert(number.values.end(), skins.meshes()[s].points.size(), static_cast<double>(s));
       first += skins.meshes()[s].points.size();
     }
-    if (engine_.velocity().size() > 0) mesh.fields.push_back({"velocity", "m/s", 3, skin_velocities(skins)});
+    if (engine_.sampled().size() > 0) mesh.fields.push_back({"velocity", "m/s", 3, skin_velocities(skins)});
     mesh.fields.push_back(std::move(area));
     mesh.fields.push_back(std::move(curvature));
     mesh.fields.push_back(std::move(number));
@@ -309,15 +325,31 @@ class SimulationOf final : public Simulation {
   static double number(const ParticleSlot& p, int column) { return static_cast<double>(p.columns[column][p.lane]); }
   Point position(const ParticleSlot& p) const {
     const Point origin = engine_.geometry().origin(engine_.store().blocks[p.block].at);
-    return origin + engine_.geometry().dx() *
-                        Vector3{number(p, k_position_column), number(p, k_position_column + 1), number(p, k_position_column + 2)};
+    const Point x = origin + engine_.geometry().dx() *
+                                 Vector3{number(p, k_position_column), number(p, k_position_column + 1), number(p, k_position_column + 2)};
+    return engine_.geometry().any_periodic() ? engine_.geometry().wrapped(x) : x;
   }
   Vector3 velocity(const ParticleSlot& p) const {
-    const Real* v = engine_.velocity().data() + p.tile * 3 * W + p.lane;
+    const Real* v = sampled(p);
     return {double(v[0]), double(v[W]), double(v[2 * W])};
+  }
+  /// The Cauchy stress, ordered as ParaView does.
+  std::array<double, 6> stress(const ParticleSlot& p) const {
+    constexpr int k_place[6] = {0, 1, 2, k_component[0][1], k_component[1][2], k_component[0][2]};
+    std::array<double, 6> s;
+    for (std::size_t c = 0; c < 6; ++c) s[c] = double(sampled(p)[(3 + k_place[c]) * W]);
+    return s;
+  }
+  static double von_mises(const std::array<double, 6>& s) {
+    const double xy = s[0] - s[1], yz = s[1] - s[2], zx = s[2] - s[0];
+    return std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
+  }
+  const Real* sampled(const ParticleSlot& p) const {
+    return engine_.sampled().data() + p.tile * static_cast<std::size_t>(engine_.physics().sampled() * W) + p.lane;
   }
 
   const Scene scene_;
+  const std::vector<Giver> givers_ = givers_of(scene_);
   Engine<Real> engine_;
   std::vector<std::unique_ptr<EmitterState>> emitters_;
 };

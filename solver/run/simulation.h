@@ -11,6 +11,7 @@
 #include "solver/engine/engine_types.h"
 #include "solver/io/frames.h"
 #include "solver/io/mesh_file.h"
+#include "solver/scene/givers.h"
 
 namespace bake {
 
@@ -44,8 +45,9 @@ class Simulation {
   static std::unique_ptr<Simulation> resume(const Scene& scene, const CheckpointReader& checkpoint);
   virtual ~Simulation() = default;
 
-  /// Steps until `target`, at which everything is sampled; `next_target` is where it will be asked to go then. After each step
-  /// calls `after_step`; if that returns false, stops there. Returns whether the target was reached.
+  /// Steps until `target`, at which everything is sampled; `next_target` is where it will be asked to go then. Steps in which the dough
+  /// settles come before all others and take none of the scene's time. After each step calls `after_step`; if that returns false, stops
+  /// there. Returns whether the target was reached.
   virtual bool advance(
       double target, double next_target, const std::function<bool()>& after_step = [] { return true; }) = 0;
   virtual void set_force(NodalForce force) = 0;  ///< see Engine
@@ -55,6 +57,7 @@ class Simulation {
   virtual double dt() const = 0;
   virtual std::size_t particles() const = 0;  ///< without the vertices of skins
   virtual const Counters& counters() const = 0;
+  virtual const Settling& settling() const = 0;
   // Quantities are called by what the effects declare, e.g. total(total::momentum, 2); 0 if no effect of the scene has it.
   template <class Q>
   double booked(Q, int i = 0) const {  ///< since the start
@@ -80,7 +83,9 @@ class Simulation {
   double bound(Q, int i = 0) const {  ///< over the particles, in the last step
     return amount(Sum::bound, Q::symbol, i);
   }
-  virtual Box3 extent() const = 0;  ///< of the particles [m]
+  virtual const std::vector<Giver>& givers() const = 0;  ///< what the scene wants in the ledger one by one,
+  virtual const std::vector<Given>& given() const = 0;   ///< and what each of them gave since the start
+  virtual Box3 extent() const = 0;                       ///< of the particles [m]
   virtual Snapshot snapshot() const = 0;
   virtual FrameData frame() const = 0;  ///< ordered by identity, without the vertices of skins
   /// The skins, with what their vertices have: velocity, area_ratio, curvature, skin, and saturation and temperature of the flesh around.

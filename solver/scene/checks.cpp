@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
+#include "solver/boundary/scripted.h"
 #include "solver/effects/all_effects.h"
 #include "solver/effects/skin_of_scene.h"
+#include "solver/scene/describe.h"
 #include "solver/scene/nearest.h"
 
 namespace bake {
@@ -46,6 +49,20 @@ void check_saturation(const SceneEntry& entry, const T& value, const Scene& scen
                           *value.saturation, material.initial_porosity);
 }
 
+/// The columns of the ledger are called by the name of what has `ledger = true`: it needs one of its own.
+template <class T>
+void check_ledger(const SceneEntry& entry, const T& value, const std::vector<T>& before) {
+  if (!value.ledger) return;
+  const auto fits = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+  if (value.name.empty() || !std::all_of(value.name.begin(), value.name.end(), fits))
+    Complaint(entry).at("ledger",
+                        "found true and the name \"{}\", allowed: with a name of letters, digits and _, by which its columns are called",
+                        quotable(value.name));
+  for (const T& other : before)
+    if (other.ledger && other.name == value.name)
+      Complaint(entry).at("ledger", "found true and the name '{}' again, allowed: with a name of its own", value.name);
+}
+
 /// A shape that is filled with particles must be bounded.
 void check_bounded(const SceneEntry& entry, const Shape& shape) {
   const Box3 box = shape.bounds();
@@ -66,6 +83,53 @@ void Complaint::unless_rising(std::string_view key, const std::vector<double>& n
   }
 }
 
+namespace {
+
+/// A period is a whole number of blocks of nodes, so that nodes beyond a face are those at the opposite one.
+void check_periodic(const SceneEntry& entry, const DomainSettings& value, const Scene& scene, std::size_t axis) {
+  const auto low = static_cast<DomainSide>(2 * axis), high = static_cast<DomainSide>(2 * axis + 1);
+  for (const auto& [face, opposite] : {std::pair(low, high), std::pair(high, low)})
+    if (value.face(face) == Face::periodic && value.face(opposite) != Face::periodic)
+      Complaint(entry).at(word_of(face), "found 'periodic' opposite {} = '{}', allowed: both periodic or none", word_of(opposite),
+                          word_of(value.face(opposite)));
+  if (value.face(low) != Face::periodic) return;
+  const double cells = (value.max_m[axis] - value.min_m[axis]) / scene.dx(), blocks = std::round(cells / 4);
+  if (!(blocks >= 1 && std::abs(cells - 4 * blocks) < 1e-6))
+    Complaint(entry).at("max_m",
+                        "found {:.6g} cells of {:g} m along {} at {} quality, allowed between periodic faces: a multiple of 4 cells (with "
+                        "multiples of 16 at paper quality all qualities have one)",
+                        cells, scene.dx(), "xyz"[axis], word_of(scene.quality));
+}
+
+/// A collider or grip has no image beyond a periodic face. So it goes through both faces or stays away from both, where it stands at its
+/// keyframes.
+template <class T>
+void check_beside_periodic(const SceneEntry& entry, const T& value, const Scene& scene) {
+  const double reach = 3 * scene.dx(), rounding = 1e-6 * scene.dx();
+  const ScriptedShape scripted{value.shape, RigidPath(value.motion, value.pivot_m), value.from_s, value.until_s};
+  std::vector<double> times{0};
+  for (const Keyframe& key : value.motion) times.push_back(key.time_s);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!scene.domain.is_periodic(static_cast<int>(axis))) continue;
+    const double low_face = scene.domain.min_m[axis], high_face = scene.domain.max_m[axis];
+    for (const double time : times) {
+      const Box3 box = scripted.bounds(scripted.path.at(time));
+      const double low = box.low[axis], high = box.high[axis];
+      const bool through = low <= low_face + rounding && high >= high_face - rounding,
+                 between = low >= low_face + reach && high <= high_face - reach,
+                 outside = high <= low_face - reach || low >= high_face + reach;
+      if (!through && !between && !outside)
+        Complaint(entry).at(
+            "shape",
+            "found from {:.4g} to {:.4g} m along {} at {:g} s, allowed beside periodic faces, beyond which it has no image: "
+            "through both ({:.4g} and {:.4g} m) or 3 cells away from both",
+            low, high, "xyz"[axis], time, low_face, high_face);
+    }
+  }
+}
+
+}  // namespace
+
 void check(const SceneEntry& entry, const DomainSettings& value, const Scene& scene) {
   constexpr double k_most_cells = 1e9;  // nodes are counted by int
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -74,6 +138,7 @@ void check(const SceneEntry& entry, const DomainSettings& value, const Scene& sc
       Complaint(entry).at("max_m", "found {} = {}, allowed: a number above {} (min_m)", name, value.max_m[axis], value.min_m[axis]);
     const double cells = (value.max_m[axis] - value.min_m[axis]) / scene.grid.dx_m;
     if (cells > k_most_cells) Complaint(entry).at("max_m", "found {:.3g} cells along {}, allowed: up to {:g}", cells, name, k_most_cells);
+    check_periodic(entry, value, scene, axis);
   }
 }
 
@@ -99,14 +164,32 @@ void check(const SceneEntry& entry, const Body& value, const Scene& scene) {
   check_saturation(entry, value, scene);
 }
 
-void check(const SceneEntry& entry, const Collider& value, const Scene&) {
+void check(const SceneEntry& entry, const Collider& value, const Scene& scene) {
   check_keyframes(entry, value.motion);
   check_span(entry, value);
+  check_ledger(entry, value, scene.colliders);
+  check_beside_periodic(entry, value, scene);
 }
 
-void check(const SceneEntry& entry, const Grip& value, const Scene&) {
+void check(const SceneEntry& entry, const Grip& value, const Scene& scene) {
   check_keyframes(entry, value.motion);
   check_span(entry, value);
+  check_ledger(entry, value, scene.grips);
+  check_beside_periodic(entry, value, scene);
+}
+
+void check(const SceneEntry& entry, const DomainFace& value, const Scene& scene) {
+  const char* name = word_of(value.at);
+  for (const DomainFace& other : scene.faces)
+    if (other.at == value.at) Complaint(entry).at("at", "found '{}' again, allowed: each face once", name);
+  if (const Face rule = scene.domain.face(value.at); rule == Face::open || rule == Face::periodic)
+    Complaint(entry).at("at", "found '{}', which is {}: nothing is there that could give anything, allowed: a closed face", name,
+                        word_of(rule));
+  if (value.temperature_C && value.heat_flux_W_per_m2)
+    Complaint(entry).at("heat_flux_W_per_m2", "found beside temperature_C, allowed: one of them");
+  if (value.heat_transfer_coefficient_W_per_m2K && !value.temperature_C)
+    Complaint(entry).at("heat_transfer_coefficient_W_per_m2K", "found without temperature_C, allowed: with it");
+  for_each_effect([&]<class E>() { BAKE_CALL(E, check_face, scene, value, Complaint(entry)); });
 }
 
 void check(const SceneEntry& entry, const Emitter& value, const Scene& scene) {
@@ -122,6 +205,8 @@ void check(const SceneEntry& entry, const Emitter& value, const Scene& scene) {
 void check(const SceneEntry& entry, const Skin& value, const Scene& scene) {
   const Complaint complaint(entry);
   if (const std::string needs = what_skin_needs(scene); !needs.empty()) entry.complain(needs);
+  if (scene.domain.is_periodic())
+    entry.complain("found a skin in a domain with periodic faces, allowed: no skin, or faces that are not periodic");
   if (value.body.empty()) complaint.at("body", "found none, allowed: numbers of bodies");
   if (value.body.size() > 1 && !value.mesh_file.empty())
     complaint.at("mesh_file", "found one mesh for {} bodies, allowed: a [[skin]] for each of them", value.body.size());

@@ -17,6 +17,7 @@ void check(const SceneEntry& entry, const Material& value, const Scene& scene);
 void check(const SceneEntry& entry, const Body& value, const Scene& scene);
 void check(const SceneEntry& entry, const Collider& value, const Scene& scene);
 void check(const SceneEntry& entry, const Grip& value, const Scene& scene);
+void check(const SceneEntry& entry, const DomainFace& value, const Scene& scene);
 void check(const SceneEntry& entry, const Emitter& value, const Scene& scene);
 void check(const SceneEntry& entry, const Skin& value, const Scene& scene);
 

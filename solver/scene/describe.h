@@ -30,6 +30,11 @@ inline constexpr bool k_is_optional = false;
 template <class T>
 inline constexpr bool k_is_optional<std::optional<T>> = true;
 
+template <class T>
+inline constexpr bool k_is_curve = std::is_same_v<T, Curve> || std::is_same_v<T, VectorCurve>;
+template <class T>
+using ValueOfCurve = decltype(T::Point::value);
+
 /// Calls `visit(parameter)` for each declared parameter of T, in their order.
 template <Declared T, class Visit>
 void for_each_parameter(Visit visit) {
@@ -103,6 +108,8 @@ std::string allowed(const Range& range) {
     return fmt::format("one number or a list of 4, each {}", range.words);
   } else if constexpr (std::is_same_v<T, Curve>) {
     return fmt::format("{}, or [[time_s, value], ...] with rising times", range.words);
+  } else if constexpr (std::is_same_v<T, VectorCurve>) {
+    return fmt::format("{}, or [[time_s, [x, y, z]], ...] with rising times", allowed<Vector3>(range));
   } else if constexpr (std::is_same_v<T, ShapePtr>) {
     return "a shape, e.g. { sphere = { centre_m = [0, 0, 0.1], radius_m = 0.05 } }";
   } else {

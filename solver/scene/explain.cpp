@@ -125,7 +125,7 @@ Single values can be changed from the command line with `--set key=value`, membe
 prints what this page says of a key.
 
 A quantity that changes with time is a number or a list of `[time_s, value]` with rising times: linear between them, constant
-before the first and after the last.
+before the first and after the last. Gravity is a vector `[x, y, z]` or a list of `[time_s, [x, y, z]]` of the same kind.
 )";
 
 }  // namespace

@@ -34,10 +34,10 @@ nlohmann::json json_value(const T& value) {
     return value.empty() ? nlohmann::json() : nlohmann::json(value.generic_string());
   } else if constexpr (std::is_same_v<T, ShapePtr>) {
     return json_shape(value);
-  } else if constexpr (std::is_same_v<T, Curve>) {
-    if (value.points.size() == 1) return json_number(value.points.front().value);
+  } else if constexpr (k_is_curve<T>) {
+    if (value.points.size() == 1) return json_value(value.points.front().value);
     nlohmann::json list = nlohmann::json::array();
-    for (const Curve::Point& point : value.points) list.push_back({json_number(point.at), json_number(point.value)});
+    for (const auto& point : value.points) list.push_back({json_number(point.at), json_value(point.value)});
     return list;
   } else if constexpr (Declared<T>) {
     return json_members(value);

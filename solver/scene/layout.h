@@ -38,6 +38,8 @@ inline constexpr std::tuple k_lists{
     Section{"body", &Scene::bodies, "dough at the start: a shape filled with particles, or particles from a file"},
     Section{"collider", &Scene::colliders, "a rigid thing that dough cannot enter"},
     Section{"grip", &Scene::grips, "a region in which everything follows a prescribed motion"},
+    Section{"face", &Scene::faces,
+            "heat that a face of the domain passes, and whether the ledger tells of it; its rule for motion stands in [domain]"},
     Section{"emitter", &Scene::emitters,
             "pours material: the shape is filled again each time the last filling has moved away by its own length"},
     Section{"skin", &Scene::skins, "an elastic sheet of triangles on bodies, as fruit has it; needs motion"},

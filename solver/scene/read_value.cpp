@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
 #include "solver/scene/nearest.h"
 
@@ -65,22 +66,44 @@ std::vector<double> read_number_list(const SceneEntry& entry, const Range& range
 
 namespace {
 
-Curve::Point read_curve_point(const SceneEntry& entry, const Range& range) {
+template <class Value>
+constexpr const char* k_curve_point = "a pair [time_s, value]";
+template <>
+constexpr const char* k_curve_point<Vector3> = "a pair [time_s, [x, y, z]]";
+
+template <class Value>
+typename CurveOf<Value>::Point read_curve_point(const SceneEntry& entry, const Range& range) {
   const auto* pair = entry.node().as_array();
-  if (!pair || pair->size() != 2) entry.refuse("a pair [time_s, value]");
+  if (!pair || pair->size() != 2) entry.refuse(k_curve_point<Value>);
   const std::vector<SceneEntry> parts = entry.elements();
-  return {read_number(parts[0], any_number, any_number.words), read_number(parts[1], range, range.words)};
+  return {read_number(parts[0], any_number, any_number.words), read_value<Value>(parts[1], range)};
+}
+
+/// The constant that an entry is, if it is no list of pairs.
+std::optional<double> read_constant(const SceneEntry& entry, const Range& range, const std::string& words, double) {
+  if (!entry.node().is_number()) return {};
+  return read_number(entry, range, words);
+}
+
+std::optional<Vector3> read_constant(const SceneEntry& entry, const Range& range, const std::string& words, const Vector3&) {
+  const auto* list = entry.node().as_array();
+  if (!list || list->empty() || list->front().is_array()) return {};
+  Vector3 vector;
+  read_numbers(entry, range, words, vector.data(), vector.size());
+  return vector;
 }
 
 }  // namespace
 
-Curve read_curve(const SceneEntry& entry, const Range& range) {
-  if (entry.node().is_number()) return {read_number(entry, range, allowed<Curve>(range))};
+template <class Value>
+CurveOf<Value> read_curve(const SceneEntry& entry, const Range& range) {
+  const std::string words = allowed<CurveOf<Value>>(range);
+  if (const auto constant = read_constant(entry, range, words, Value{})) return {*constant};
   const auto* list = entry.node().as_array();
-  if (!list || list->empty()) entry.refuse(allowed<Curve>(range));
-  Curve curve;
+  if (!list || list->empty()) entry.refuse(words);
+  CurveOf<Value> curve;
   for (const SceneEntry& element : entry.elements()) {
-    const Curve::Point point = read_curve_point(element, range);
+    const auto point = read_curve_point<Value>(element, range);
     const bool rises = curve.points.empty() || point.at > curve.points.back().at;
     if (!rises) {
       element.complain(fmt::format("found time {} after time {}, allowed: rising times", point.at, curve.points.back().at));
@@ -89,5 +112,8 @@ Curve read_curve(const SceneEntry& entry, const Range& range) {
   }
   return curve;
 }
+
+template Curve read_curve(const SceneEntry&, const Range&);
+template VectorCurve read_curve(const SceneEntry&, const Range&);
 
 }  // namespace bake

@@ -17,7 +17,8 @@ int read_whole_number(const SceneEntry& entry, const Range& range);
 bool read_truth(const SceneEntry& entry);
 std::string read_text(const SceneEntry& entry);
 std::size_t read_choice(const SceneEntry& entry, const std::vector<std::string>& names);  ///< index into names
-Curve read_curve(const SceneEntry& entry, const Range& range);
+template <class Value>
+CurveOf<Value> read_curve(const SceneEntry& entry, const Range& range);
 /// Fills `numbers[0..count)` from a list of exactly `count` numbers.
 void read_numbers(const SceneEntry& entry, const Range& range, std::string_view allowed_words, double* numbers, std::size_t count);
 /// Reads a list; a single value stands for a list of one.
@@ -61,8 +62,8 @@ T read_value(const SceneEntry& entry, const Range& range) {
       read_numbers(entry, range, allowed<T>(range), values.data(), values.size());
     }
     return values;
-  } else if constexpr (std::is_same_v<T, Curve>) {
-    return read_curve(entry, range);
+  } else if constexpr (k_is_curve<T>) {
+    return read_curve<ValueOfCurve<T>>(entry, range);
   } else if constexpr (std::is_same_v<T, ShapePtr>) {
     return read_shape(entry);
   } else {

@@ -95,6 +95,7 @@ struct Collider {
   bool expels = false;
   std::optional<Curve> temperature_C;  ///< unset: it conducts no heat, and the oven's air reaches between it and the dough
   double heat_transfer_coefficient_W_per_m2K = 0;
+  bool ledger = false;
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"name", &Collider::name, "", any_number, "for messages and the ledger"},
@@ -111,6 +112,8 @@ struct Collider {
                   "conductive theta over time; without it the collider passes no heat"},
         Parameter{"heat_transfer_coefficient_W_per_m2K", &Collider::heat_transfer_coefficient_W_per_m2K, "W/(m^2 K)", non_negative,
                   "conductive beta: heat transfer coefficient where dough touches it", Presence::optional, "exchange_W_per_m2K"},
+        Parameter{"ledger", &Collider::ledger, "", any_number,
+                  "the ledger tells which impulse and heat it gave: columns `collider_<name>_impulse_x_kg_m_per_s` and so on"},
     };
   }
 };
@@ -124,6 +127,7 @@ struct Grip {
   double from_s = -k_infinity;
   double until_s = k_infinity;
   std::optional<Curve> temperature_C;  ///< also holds this temperature inside
+  bool ledger = false;
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"name", &Grip::name, "", any_number, "for messages and the ledger"},
@@ -133,6 +137,32 @@ struct Grip {
         Parameter{"from_s", &Grip::from_s, "s", Range{}, "it grips from this time"},
         Parameter{"until_s", &Grip::until_s, "s", Range{}, "it lets go at this time"},
         Parameter{"temperature_C", &Grip::temperature_C, "C", above_absolute_zero, "also holds this temperature"},
+        Parameter{"ledger", &Grip::ledger, "", any_number,
+                  "the ledger tells which impulse it gave: columns `grip_<name>_impulse_x_kg_m_per_s` and so on"},
+    };
+  }
+};
+
+/// [[face]] - what a face of the domain does beside its rule for motion, which stands in [domain]. One that passes no heat is a mirror.
+struct DomainFace {
+  DomainSide at = DomainSide::x_min;
+  std::optional<Curve> temperature_C;
+  std::optional<double> heat_transfer_coefficient_W_per_m2K;  ///< unset: the dough's surface has the wall's temperature
+  std::optional<Curve> heat_flux_W_per_m2;
+  bool passes_heat() const { return temperature_C || heat_flux_W_per_m2; }
+  bool ledger = false;
+  static constexpr auto parameters() {
+    return std::tuple{
+        Parameter{"at", &DomainFace::at, "", any_number, "which face; its rule for motion stands in [domain]", Presence::required},
+        Parameter{"temperature_C", &DomainFace::temperature_C, "C", above_absolute_zero,
+                  "conductive theta of the wall behind the face over time; without it and without a flux no heat passes"},
+        Parameter{
+            "heat_transfer_coefficient_W_per_m2K", &DomainFace::heat_transfer_coefficient_W_per_m2K, "W/(m^2 K)", non_negative,
+            "conductive beta: heat transfer coefficient between wall and dough; without it the dough's surface has the wall's temperature"},
+        Parameter{"heat_flux_W_per_m2", &DomainFace::heat_flux_W_per_m2, "W/m^2", any_number,
+                  "heat that comes in through the face per area, over time; instead of a temperature"},
+        Parameter{"ledger", &DomainFace::ledger, "", any_number,
+                  "the ledger tells which impulse and heat it gave: columns `face_<at>_impulse_x_kg_m_per_s` and so on"},
     };
   }
 };
@@ -224,6 +254,7 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<Collider> colliders;
   std::vector<Grip> grips;
+  std::vector<DomainFace> faces;
   std::vector<Emitter> emitters;
   std::vector<Skin> skins;
   std::vector<std::string> notices;  ///< lines for the author of the file: keys that were read under their former names

@@ -26,6 +26,7 @@ struct RunSettings {
   int seed = 1;
   Precision precision = Precision::single_precision;
   int checkpoint_every_frames = 10;
+  bool stress_in_frames = false;
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"end_s", &RunSettings::end_s, "s", positive, "simulated time at which the run ends", Presence::required},
@@ -36,6 +37,8 @@ struct RunSettings {
         Parameter{"checkpoint_every_frames", &RunSettings::checkpoint_every_frames, "1",
                   Range{1, 1e9, false, false, "a whole number of at least 1"},
                   "a checkpoint is written at the last frame and every so many frames"},
+        Parameter{"stress_in_frames", &RunSettings::stress_in_frames, "", any_number,
+                  "whether frames have the columns stress and von_mises, where something moves"},
     };
   }
 };
@@ -53,9 +56,14 @@ struct GridSettings {
   }
 };
 
-/// The rule at one face of the domain. `open`: particles that pass it are removed and booked as retired.
-enum class Face { sticky, slip, separating, open };
-constexpr auto choice_names(Face) { return std::array{"sticky", "slip", "separating", "open"}; }
+/// The rule at one face of the domain. `open`: particles that pass it are removed and booked as retired. `periodic`: it is the opposite
+/// face seen from the other side.
+enum class Face { sticky, slip, separating, open, periodic };
+constexpr auto choice_names(Face) { return std::array{"sticky", "slip", "separating", "open", "periodic"}; }
+
+/// The faces of the domain.
+enum class DomainSide { x_min, x_max, y_min, y_max, z_min, z_max };
+constexpr auto choice_names(DomainSide) { return std::array{"x_min", "x_max", "y_min", "y_max", "z_min", "z_max"}; }
 
 /// [domain] - the box that is simulated. Its far corner is rounded outwards to a whole number of cells.
 struct DomainSettings {
@@ -65,11 +73,17 @@ struct DomainSettings {
   Face y_min = Face::separating, y_max = Face::separating;
   Face z_min = Face::separating, z_max = Face::separating;
   double friction = 0;
+  Face face(DomainSide side) const { return std::array{x_min, x_max, y_min, y_max, z_min, z_max}[static_cast<std::size_t>(side)]; }
+  /// Are both faces of an axis (0 to 2) periodic?
+  bool is_periodic(int axis) const { return face(static_cast<DomainSide>(2 * axis)) == Face::periodic; }
+  bool is_periodic() const { return is_periodic(0) || is_periodic(1) || is_periodic(2); }
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"min_m", &DomainSettings::min_m, "m", any_number, "lower corner of the simulated box", Presence::required},
         Parameter{"max_m", &DomainSettings::max_m, "m", any_number, "upper corner of the simulated box", Presence::required},
-        Parameter{"x_min", &DomainSettings::x_min, "", any_number, "rule at the face of smallest x (heat and water never pass a face)"},
+        Parameter{"x_min", &DomainSettings::x_min, "", any_number,
+                  "rule at the face of smallest x (water never passes a face, heat where a [[face]] says so; all passes one "
+                  "that is periodic, which the opposite one must be, too)"},
         Parameter{"x_max", &DomainSettings::x_max, "", any_number, "rule at the face of largest x"},
         Parameter{"y_min", &DomainSettings::y_min, "", any_number, "rule at the face of smallest y"},
         Parameter{"y_max", &DomainSettings::y_max, "", any_number, "rule at the face of largest y"},

@@ -103,7 +103,7 @@ class Passes {
     work.gathered = gathered_.data();
     work.scattered = scattered_.data();
     work.contacts = &contacts_;
-    work.step.dt = work.step.dt_next = static_cast<Real>(engine_.dt());
+    work.step.dt = work.step.dt_next = work.step.baking_dt = work.step.baking_dt_next = static_cast<Real>(engine_.dt());
     work.step.dx = static_cast<Real>(dx);
     work.step.inverse_d = static_cast<Real>(4 / (dx * dx));
     for (int d = 0; d < 3; ++d) {

@@ -38,11 +38,6 @@ struct Running {
   double flops, bytes_per_particle, bytes_per_node, bytes_moved_per_node, bytes_moved, flowing;
 };
 
-void take_steps(Simulation& simulation, int steps) {
-  constexpr double never = 1e6;  // [s]: no step is one that samples
-  simulation.advance(never, never, [&] { return --steps > 0; });
-}
-
 template <class Real>
 void describe(Running& running) {
   const auto physics = make_physics<Real>(running.scene);

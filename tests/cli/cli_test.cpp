@@ -9,14 +9,6 @@
 namespace bake::test {
 namespace {
 
-void expect_success(const Workplace& place, const std::string& arguments, const std::string& said) {
-  SCOPED_TRACE("bake " + arguments);
-  const Outcome outcome = place.bake(arguments);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_EQ(outcome.err, "");
-  EXPECT_NE(outcome.out.find(said), std::string::npos) << outcome.out;
-}
-
 TEST(CommandLine, WrongCommandsAreRefused) {
   const Workplace place;
   expect_refused(place, "", "no command");

@@ -20,9 +20,7 @@ TEST(CompareTextbook, AgreesOnASmallScene) {
 
 TEST(CompareTextbook, StopsAtTheEndOfTheScene) {
   const Workplace place;
-  const Outcome outcome = place.bake("compare-textbook dough --steps 1000 --set time.largest_step_s=0.003");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  EXPECT_NE(outcome.out.find("0.01 s"), std::string::npos) << outcome.out;
+  expect_success(place, "compare-textbook dough --steps 1000 --set time.largest_step_s=0.003", "0.01 s");
 }
 
 TEST(CompareTextbook, AGridThatWouldNotFitIsRefused) {

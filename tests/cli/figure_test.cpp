@@ -77,10 +77,7 @@ class AFigure : public testing::Test {
 };
 
 TEST_F(AFigure, ThatHoldsSucceedsAndWritesItsClaims) {
-  const Outcome outcome = place.bake("figure 1 --quiet");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  EXPECT_EQ(outcome.err, "");
-  EXPECT_NE(outcome.out.find("3 of 3 claims hold"), std::string::npos) << outcome.out;
+  expect_success(place, "figure 1 --quiet", "3 of 3 claims hold");
   EXPECT_EQ(claims()["claims"].size(), 3u);
   EXPECT_TRUE(claims()["claims"][2]["holds"]);
   EXPECT_GT(claims()["runs"][1]["particles"], 0);
@@ -207,6 +204,83 @@ why = "nothing tears it"
   fs::remove(place.folder() / "arguments");
   EXPECT_EQ(place.bake("figure 1 --quiet").exit_code, 0);
   EXPECT_FALSE(fs::exists(place.folder() / "arguments")) << "all was there";
+}
+
+/// Beside the figure of dough another one, whose two pictures show runs of the first as the tiles of a montage.
+class AMontage : public AFigure {
+ protected:
+  AMontage() {
+    place.move_program_here();
+    place.write("paper/items.toml", std::string(k_items) + k_tiles);
+    place.write("experiments/fig02_tiles/views/side.toml", "");
+    program("bake-render", "echo \"$@\" >>arguments\nwhile [ \"$1\" != --out ]; do shift; done\necho png >\"$2\"");
+    tiles("soft", "hard");
+  }
+  void tiles(const std::string& left, const std::string& right, const std::string& figure = "dough") const {
+    std::string text = "title = \"Tiles\"\nshows = \"s\"\n";
+    for (const auto& [name, of] : {std::pair{"left", left}, std::pair{"right", right}})
+      text += fmt::format("[[picture]]\nname = \"{}\"\nshows = \"s\"\nfigure = \"{}\"\nview = \"side\"\nof = \"{}\"\n", name, figure, of);
+    text += "[[montage]]\nname = \"both\"\nshows = \"two\"\nrows = \"left right right\"\ncell_width_px = 64\ncell_height_px = 48\n";
+    for (const char* name : {"left", "right"})
+      text += fmt::format("[[claim]]\nmetric = \"{}_claims_hold\"\nat_least = 1\nkind = \"published\"\nwhy = \"what is shown\"\n", name);
+    place.write("experiments/fig02_tiles/figure.toml", text);
+  }
+  nlohmann::json made() const { return nlohmann::json::parse(contents(place.folder() / "results/items/tiles-draft/claims.json")); }
+
+  static constexpr const char* k_tiles =
+      "\n[[item]]\nnumber = \"figure 2\"\nname = \"tiles\"\nshows = \"others\"\nexperiment = \"fig02_tiles\"\nstatus = \"done\"\n";
+};
+
+TEST_F(AMontage, IsMadeOfRunsOfOtherFiguresWhoseClaimsHold) {
+  const Outcome outcome = place.bake("figure 2 --quiet");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("left   dough   soft  1 of 1"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("right  dough   hard  2 of 2"), std::string::npos) << outcome.out;
+  EXPECT_EQ(made()["runs"].size(), 2u);
+  ASSERT_EQ(made()["pictures"].size(), 1u) << "its tiles are not shown once more";
+  EXPECT_EQ(made()["pictures"][0]["file"], "both.png");
+  EXPECT_FALSE(fs::exists(place.folder() / "results/items/dough-draft")) << "the other figure's own results are left to it";
+  const std::string calls = contents(place.folder() / "arguments");
+  EXPECT_NE(calls.find("montage results/items/tiles-draft/left.png results/items/tiles-draft/right.png --row left right right --cell 64x48 "
+                       "--out results/items/tiles-draft/both.png\n"),
+            std::string::npos)
+      << calls;
+  EXPECT_NE(calls.find("jpeg results/items/tiles-draft/both.png"), std::string::npos) << calls;
+  fs::remove(place.folder() / "arguments");
+  EXPECT_NE(place.bake("figure 1").err.find("run soft: is finished already"), std::string::npos);
+  EXPECT_EQ(place.bake("figure 2 --quiet").exit_code, 0);
+  EXPECT_FALSE(fs::exists(place.folder() / "arguments")) << "all was there, but not " << contents(place.folder() / "arguments");
+}
+
+TEST_F(AMontage, HoldsNoMoreThanWhatItShows) {
+  figure("", "expected = 1", "expected = 2");
+  EXPECT_EQ(place.bake("figure 2 --quiet").exit_code, 1);
+  EXPECT_EQ(made()["claims"][0]["measured"], 0);
+  EXPECT_EQ(made()["claims"][1]["measured"], 0.5);
+}
+
+TEST_F(AMontage, HoldsNothingOfARunOfWhichNothingIsClaimed) {
+  figure("[[run]]\nname = \"new\"\nscene = \"dough\"\n");
+  tiles("soft", "new");
+  const Outcome outcome = place.bake("figure 2 --quiet");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_TRUE(made()["claims"][0]["holds"]);
+  EXPECT_FALSE(made()["claims"][1]["holds"]);
+}
+
+TEST_F(AMontage, NamesTheRunsOfOthersForProgramsThatDistributeThem) {
+  EXPECT_EQ(place.bake("list runs").out, "dough soft\ndough hard\ntiles soft\ntiles hard\n");
+  EXPECT_EQ(place.bake("figure tiles --only-run soft --quiet").exit_code, 0);
+  EXPECT_TRUE(fs::exists(place.folder() / "results/soft-draft/run.json"));
+  EXPECT_FALSE(fs::exists(place.folder() / "results/hard-draft"));
+  expect_refused(place, "figure tiles --only-run sotf", "--only-run: unknown run 'sotf'; did you mean 'soft'?");
+}
+
+TEST_F(AMontage, OfItselfOrOfAnotherMontageIsRefused) {
+  tiles("soft", "hard", "tiles");
+  expect_refused(place, "figure 2", "picture.0.figure: found 'tiles', which is this one, allowed: another");
+  tiles("soft", "hard", "costs");
+  expect_refused(place, "figure 2", "picture.0.figure: table 1 (costs): not there yet");
 }
 
 TEST_F(AFigure, DrawsColumnsOfTheLedger) {

@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
-#include <stdexcept>
 
 namespace bake::test {
 namespace {
@@ -60,6 +58,14 @@ Outcome Workplace::bake(const std::string& arguments, const std::string& before)
   const std::string command = fmt::format("cd '{}' && ({} '{}' {}) >.out 2>.err", folder().string(), before, program_.string(), arguments);
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contents(folder() / ".out"), contents(folder() / ".err")};
+}
+
+void expect_success(const Workplace& place, const std::string& arguments, const std::string& said) {
+  SCOPED_TRACE(fmt::format("{} {}", place.program_name(), arguments));
+  const Outcome outcome = place.bake(arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(outcome.out.find(said), std::string::npos) << outcome.out;
 }
 
 std::string expect_refused(const Workplace& place, const std::string& arguments, const std::string& reason, const std::string& before,

@@ -36,6 +36,9 @@ class Workplace {
   TemporaryFolder folder_;
 };
 
+/// What succeeds says so on stdout and nothing on stderr.
+void expect_success(const Workplace& place, const std::string& arguments, const std::string& said);
+
 /// What fails is told in one line on stderr, which says why, and in nothing else. Wrong use (2) leaves no results. Returns the line.
 std::string expect_refused(const Workplace& place, const std::string& arguments, const std::string& reason, const std::string& before = "",
                            int exit_code = 2);

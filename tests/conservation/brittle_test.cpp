@@ -14,8 +14,7 @@ constexpr double k_energy = 2.75;  // [J/m^2]
 
 /// A bar 0.2 m long and two cells thick (its mirror images included), with a flaw one cell wide; two grips move by `pull` in 0.8 s.
 Dough bar(double dx, double pull, double theta_4 = 4) {
-  Dough dough;
-  dough.effects = "motion, elasticity, plasticity";
+  Dough dough("motion, elasticity, plasticity");
   dough.dx = dx;
   dough.low = {-0.24, 0, 0}, dough.high = {0.24, 6 * dx, 6 * dx};
   dough.faces = "y_min = \"slip\"\nz_min = \"slip\"";

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <type_traits>
 
 #include "solver/effects/all_effects.h"
 #include "solver/engine/sheets.h"
@@ -20,8 +21,8 @@ namespace bake {
 
 /// The default is an elastic ball at rest in the middle of a box, four cells in radius, without gravity.
 struct Dough : SceneBuilder {
-  Dough() {
-    effects = "motion, elasticity";
+  explicit Dough(const std::string& listed = "motion, elasticity") {
+    effects = listed;
     dx = 0.0625;  // a power of two: node positions are exact
     frame_s = 1e-3;
     shape = "sphere = { radius_m = 0.25 }";
@@ -50,27 +51,24 @@ production_mol_per_kgs = 0.3
 )" + water +
            "\n" + extra;
   }
+  /// The same with some keys given other values.
+  static std::string changed(std::initializer_list<std::pair<const char*, const char*>> keys, const std::string& water = "") {
+    std::string text = properties(water);
+    for (const auto& [key, value] : keys) {
+      const std::size_t at = text.find(std::string("\n") + key + " = ");
+      const std::string line = std::string("\n") + key + " = " + value;
+      if (at == std::string::npos)
+        text += line + "\n";
+      else
+        text.replace(at, text.find('\n', at + 1) - at, line);
+    }
+    return text;
+  }
   static std::string moving_water() { return "diffusivity_m2_per_sK = 2e-4\nevaporation_kg_per_m2sK = 0.5"; }
 };
 
 inline constexpr const char* k_flip = "transfer = \"flip\"";
 inline constexpr const char* k_pic = "transfer = \"pic\"";
-
-/// `count` steps of exactly `dt`, each sampled; calls visit() after each.
-template <class Visit>
-void take_steps(Simulation& s, int count, double dt, Visit visit) {
-  for (int i = 0; i < count; ++i) {
-    const std::int64_t before = s.counters().steps;
-    const double target = s.time() + dt;
-    ASSERT_TRUE(s.advance(target, target + dt));
-    ASSERT_EQ(s.counters().steps, before + 1) << "the step was cut: choose a smaller one";
-    visit();
-    if (testing::Test::HasFatalFailure()) return;
-  }
-}
-inline void take_steps(Simulation& s, int count, double dt) {
-  take_steps(s, count, dt, [] {});
-}
 
 /// The ledger's sums at the last sample; elastic energy is that of the dough and its skin.
 struct Sums {
@@ -112,6 +110,25 @@ struct Sums {
     momentum = vector(total::momentum), angular = vector(total::angular_momentum);
   }
 };
+
+/// `count` steps of exactly `dt`, each sampled; calls visit() after each, or visit(step, sums), the first being step 1.
+template <class Visit>
+void take_steps(Simulation& s, int count, double dt, Visit visit) {
+  for (int step = 1; step <= count; ++step) {
+    const std::int64_t before = s.counters().steps;
+    const double target = s.time() + dt;
+    ASSERT_TRUE(s.advance(target, target + dt));
+    ASSERT_EQ(s.counters().steps, before + 1) << "the step was cut: choose a smaller one";
+    if constexpr (std::is_invocable_v<Visit>)
+      visit();
+    else
+      visit(step, Sums(s));
+    if (testing::Test::HasFatalFailure()) return;
+  }
+}
+inline void take_steps(Simulation& s, int count, double dt) {
+  take_steps(s, count, dt, [] {});
+}
 
 /// Relative error that one step may add to a sum that is kept to round-off. Double: the project's promise. Single: a sum passes
 /// through about 64 roundings a step (weights, at most 27 terms of a gather, as many of a scatter, the quotient), each of half

@@ -2,6 +2,8 @@
 // Thermal expansion of elastic and of plastic dough.
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "tests/conservation/dough.h"
 
 namespace bake {
@@ -11,8 +13,7 @@ constexpr double k_alpha = 1e-3, k_young = 2e4, k_bulk = k_young / (3 * 0.4), k_
 
 /// A cube that is free, or one between walls that it fills, `k_warmth` too warm to be free of stress.
 Dough warm_cube(const char* effects, double yield_stress_Pa, bool walled) {
-  Dough dough;
-  dough.effects = effects;
+  Dough dough(effects);
   dough.low = walled ? Vector3{0, 0, 0} : Vector3{-0.25, -0.25, -0.25};
   dough.high = walled ? Vector3{0.5, 0.5, 0.5} : Vector3{0.75, 0.75, 0.75};
   dough.faces = "x_min = \"slip\"\nx_max = \"slip\"\ny_min = \"slip\"\ny_max = \"slip\"\nz_min = \"slip\"\nz_max = \"slip\"";
@@ -27,9 +28,7 @@ Dough warm_cube(const char* effects, double yield_stress_Pa, bool walled) {
 }
 
 double mean(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return sum / static_cast<double>(values.size());
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 // At the start it is hot and unexpanded: V K/2 (3 alpha dT)^2. Free, it loses that; the elastic strain alone would have said 0, then 9 K

@@ -10,8 +10,7 @@ namespace {
 
 /// Hot gas blows it up, open pores let air in, and it yields at once: nothing ever stops its nodes.
 Dough crumb(const std::string& body) {
-  Dough dough;
-  dough.effects = "motion, heat, elasticity, plasticity, leavening";
+  Dough dough("motion, heat, elasticity, plasticity, leavening");
   dough.leavening += "\npores = \"open\"";
   dough.motion = "inertia_scale = 4";
   dough.material =

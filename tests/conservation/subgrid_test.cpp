@@ -10,8 +10,7 @@ namespace {
 
 /// A sealed bar along x of two bodies, `left` below x = 0 and `right` above.
 Dough halves(const char* effects, const char* left, const char* right) {
-  Dough dough;
-  dough.effects = effects;
+  Dough dough(effects);
   dough.low = {-0.5, 0, 0}, dough.high = {0.5, 0.125, 0.125};
   dough.material =
       "density_kg_per_m3 = 1000\nspecific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 10\n"
@@ -117,8 +116,7 @@ TEST(DryDough, StaysDryAsPublished) {
 // A wet ball in a dry shell, all moving, hot and wet: the books close, and nothing falls below zero.
 TEST(AWetFilling, WetsItsDryShellWithinRoundOff) {
   for (const char* precision : {"double", "single"}) {
-    Dough dough;
-    dough.effects = "motion, heat, water, elasticity, plasticity, leavening";
+    Dough dough(k_everything);
     dough.precision = precision;
     dough.frame_s = 2e-4;
     dough.material = Dough::properties(Dough::moving_water());
@@ -129,10 +127,8 @@ TEST(AWetFilling, WetsItsDryShellWithinRoundOff) {
     dough.body = "temperature_C = 60\nsaturation = 0.3";
     const auto s = dough.begin();
     const Sums start(*s);
-    int steps = 0;
-    take_steps(*s, 100, dough.frame_s, [&] {
-      const Sums now(*s);
-      const double bound = ++steps * round_off(precision);
+    take_steps(*s, 100, dough.frame_s, [&](int step, const Sums& now) {
+      const double bound = step * round_off(precision);
       ASSERT_NEAR(now.water + now.evaporated, start.water, bound * start.water);
       ASSERT_NEAR(now.heat, start.heat + now.heat_gained() - start.heat_gained(), bound * start.heat);
       for (const double m : s->snapshot()["water_mass"]) ASSERT_GE(m, 0);

@@ -15,11 +15,6 @@ namespace {
 constexpr double k_particles = 8000;
 constexpr int k_warm_up = 12;  // then most particles flow
 
-void take_steps(Simulation& simulation, int steps) {
-  constexpr double never = 1e6;  // [s]: no step is one that samples
-  simulation.advance(never, never, [&] { return --steps > 0; });
-}
-
 }  // namespace
 
 void take_counted_steps() {
@@ -27,10 +22,10 @@ void take_counted_steps() {
   for (const bench::Combination& combination : bench::k_combinations) {
     const Scene scene = bench::loaf(combination, Precision::single_precision, k_particles);
     const auto simulation = Simulation::begin(scene);
-    take_steps(*simulation, k_warm_up);
+    bench::take_steps(*simulation, k_warm_up);
     CALLGRIND_START_INSTRUMENTATION;
     CALLGRIND_ZERO_STATS;
-    take_steps(*simulation, 1);
+    bench::take_steps(*simulation, 1);
     CALLGRIND_STOP_INSTRUMENTATION;
     CALLGRIND_DUMP_STATS_AT(combination.name.c_str());
   }

@@ -45,18 +45,13 @@ int main(int count, char** words) {
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.require_subcommand(1);
   cli::Action action;
-  app.add_subcommand("check", "Compare them with reference/instructions.json; exit 1 if one has changed by more than 3 %")->callback([&] {
-    action = count::check;
-  });
+  cli::on_request(*app.add_subcommand("check", "Compare them with reference/instructions.json; exit 1 if one has changed by more than 3 %"),
+                  action, count::check);
   auto why = std::make_shared<std::string>();
   CLI::App& bless = *app.add_subcommand("bless", "Write reference/instructions.json anew, with a reason");
   bless.add_option("--why", *why, "the reason")->required();
-  bless.callback([&] { action = [why] { return count::bless(*why); }; });
-  app.add_subcommand("steps", "Take the steps that are counted: what the others run under valgrind")->callback([&] {
-    action = [] {
-      count::take_counted_steps();
-      return static_cast<int>(cli::k_success);
-    };
-  });
+  cli::on_request(bless, action, [why] { return count::bless(*why); });
+  cli::on_request(*app.add_subcommand("steps", "Take the steps that are counted: what the others run under valgrind"), action,
+                  count::take_counted_steps);
   return cli::run_program(app, action, count, words);
 }

@@ -5,22 +5,14 @@
 set -euo pipefail
 command -v git >/dev/null || { echo "git is not installed: skipped"; exit 77; }
 source_folder=$1 build=$2
-sandbox=$(mktemp -d)
-trap 'rm -rf "$sandbox"' EXIT
+source "$(dirname -- "${BASH_SOURCE[0]}")/checks.sh"
+shown=(state solver)
 tree=$sandbox/tree
-failures=0
 
 note() { # writes the header and sets state and solver
   eval "${command//SOURCES=$source_folder /SOURCES=$tree }"
   state=$(sed -n 's/#define BAKE_SOURCES "\(.*\)"/\1/p' "$sandbox/header.h")
   solver=$(sed -n 's/#define BAKE_SOLVER "\(.*\)"/\1/p' "$sandbox/header.h")
-}
-expect() { # <what holds> <condition...>
-  local what=$1
-  shift
-  if "$@"; then return; fi
-  failures=$((failures + 1))
-  printf 'FAILED: %s\n  sources: %s, solver: %s\n' "$what" "$state" "$solver"
 }
 in_tree() { git -C "$tree" -c user.name=test -c user.email=test@localhost "$@"; }
 
@@ -78,5 +70,4 @@ note
 expect "a comment and another place make it dirty" [ "$state" == dirty ]
 expect "a comment and another place leave the solver the same" [ "$solver" == "$without_git" ]
 
-echo "$failures failed"
-exit $((failures > 0))
+finish

@@ -4,10 +4,9 @@
 # <bake-same-code> <compiler>
 set -euo pipefail
 source_folder=$1 same_code=$2 compiler=$3
-sandbox=$(mktemp -d)
-trap 'rm -rf "$sandbox"' EXIT
+source "$(dirname -- "${BASH_SOURCE[0]}")/checks.sh"
+shown=(status output)
 cd "$sandbox"
-failures=0
 was=0123456789abcdef now=fedcba9876543210 other=1111111111111111
 
 write() { mkdir -p "$(dirname "$1")" && cat >"$1"; }
@@ -30,14 +29,6 @@ restamp() { # <objects>: sets status and output
   status=0
   output=$("$source_folder/solver/identity/restamp_if_same.sh" "$same_code" then "$1" $was $now data 2>&1) || status=$?
 }
-expect() { # <what holds> <condition...>
-  local what=$1
-  shift
-  if "$@"; then return; fi
-  failures=$((failures + 1))
-  printf 'FAILED: %s\n  status: %s\n  output: %s\n' "$what" "$status" "$output"
-}
-says() { [[ $output == *"$1"* ]]; }
 holds() { [[ $(<"data/$1") == "$2" ]]; }
 is_refused() { [[ $status == 1 ]] && diff -r data kept && says "$1"; }
 
@@ -247,5 +238,4 @@ whole no-such-commit
 expect "what is no commit is wrong use" [ "$status" == 2 ]
 expect "wrong use is told in one line" [ "$output" == "bake: restamp: found no-such-commit, allowed: a commit of this repository" ]
 
-echo "$failures failed"
-exit $((failures > 0))
+finish

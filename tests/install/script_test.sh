@@ -6,11 +6,10 @@ set -euo pipefail
 unset CC CXX
 
 source_folder=$1
-sandbox=$(mktemp -d)
-trap 'rm -rf "$sandbox"' EXIT
+source "$(dirname -- "${BASH_SOURCE[0]}")/checks.sh"
+shown=(status output calls)
 clone="$sandbox/a clone"
 tools=$sandbox/tools
-failures=0
 
 stand_in() { # <name> <what it does>
   printf '#!/bin/bash\necho "$(basename "$0") $*" >>"%s/calls"\n%s\n' "$sandbox" "$2" >"$tools/$1"
@@ -48,15 +47,7 @@ run() {
   calls=$(<"$sandbox/calls")
 }
 
-expect() { # <what holds> <condition...>
-  local what=$1
-  shift
-  if "$@"; then return; fi
-  failures=$((failures + 1))
-  printf 'FAILED: %s\n  status: %s\n  output: %s\n  calls: %s\n' "$what" "$status" "$output" "$calls"
-}
 exits_with() { [[ $status == "$1" ]]; }
-says() { [[ $output == *"$1"* ]]; }
 called() { [[ $calls == *"$1"* ]]; }
 not() { ! "$@"; }
 
@@ -193,5 +184,4 @@ if (($(id -u) != 0)) || unshare --mount true 2>/dev/null; then
   expect "what is not built there is said" says "nothing is built"
 fi
 
-echo "$failures failed"
-exit $((failures > 0))
+finish

@@ -176,9 +176,53 @@ shape = { box = { centre_m = [0.0213, 0.0127, -0.1831], half_extents_m = [0.3, 0
 contact = "slip"
 from_s = 0.02
 )";
+  const std::string hot_faces = R"(
+[[face]]
+at = "x_max"
+temperature_C = [[0, 90], [1, 300]]
+heat_transfer_coefficient_W_per_m2K = 400
+[[face]]
+at = "y_min"
+temperature_C = 150
+[[face]]
+at = "z_max"
+heat_flux_W_per_m2 = 3e3
+)";
+  const std::string between_plates = R"(
+[[collider]]
+shape = { half_space = { point_m = [0, 0, -0.2131], normal = [0, 0, 1] } }
+contact = "sticky"
+temperature_C = 180
+heat_transfer_coefficient_W_per_m2K = 200
+[[collider]]
+shape = { half_space = { point_m = [0, 0, 0.3571], normal = [0, 0, -1] } }
+friction = 0.5
+motion = [{ time_s = 0 }, { time_s = 1, position_m = [3, 0, -1] }]
+[[face]]
+at = "z_min"
+temperature_C = 150
+)";
+  const std::string ring = "x_min = \"periodic\"\nx_max = \"periodic\"\ny_min = \"periodic\"\ny_max = \"periodic\"";
   std::vector<RandomScene> all;
   for (const std::string kernel : {"quadratic", "cubic"})
     for (RandomScene r : std::vector<RandomScene>{
+             {.name = "hot_faces", .tables = hot_faces, .gravity = "[150, -100, 50]"},
+             {.name = "hot_faces_backward_euler",
+             .heat = "integrator = \"backward_euler\"",
+             .tables = hot_faces,
+             .gravity = "[150, -100, 50]"},
+             {.name = "periodic", .tables = between_plates, .gravity = "[150, -100, -20]", .faces = ring, .colliders = false},
+             {.name = "periodic_backward_euler",
+             .heat = "integrator = \"backward_euler\"",
+             .tables = between_plates,
+             .gravity = "[150, -100, -20]",
+             .faces = ring,
+             .colliders = false},
+             {.name = "periodic_published_surface",
+             .surface = "form = \"published\"",
+             .gravity = "[150, -100, -20]",
+             .faces = ring,
+             .colliders = false},
              {.name = "cut", .tables = k_knife},
              {.name = "held", .tables = held},
              {.name = "held_backward_euler", .heat = "integrator = \"backward_euler\"", .tables = held},
@@ -187,6 +231,7 @@ from_s = 0.02
              {.name = "thirteen_cells", .gravity = "[150, 150, 150]", .far_corner = {0.7, 0.7, 0.7}},
              {.name = "fourteen_cells", .gravity = "[150, 150, 150]", .far_corner = {0.8, 0.8, 0.8}},
              {.name = "fifteen_cells", .gravity = "[150, 150, 150]", .far_corner = {0.9, 0.9, 0.9}},
+             {.name = "ramped_gravity", .gravity = "[[0.001, [0, 50, 0]], [0.012, [150, -100, 50]], [0.02, [-100, 0, -50]]]"},
              {.name = "hurled_at_walls", .gravity = "[150, -100, 50]"},
              {.name = "hurled_through_open_faces", .gravity = "[150, -100, 50]", .faces = "x_max = \"open\"\nz_max = \"open\""},
          }) {
@@ -225,6 +270,7 @@ density_kg_per_m3 = 2000
   for (RandomScene r : std::vector<RandomScene>{{.name = "pic", .motion = "transfer = \"pic\""},
                                                 {.name = "heavy", .motion = "inertia_scale = 50"},
                                                 {.name = "backward_euler", .heat = "integrator = \"backward_euler\""},
+                                                {.name = "ramped_gravity", .gravity = "[[0.001, [0, 50, 0]], [0.012, [150, -100, 50]]]"},
                                                 {.name = "cut", .tables = k_knife}}) {
     r.effects = k_everything;
     r.tables += skins;

@@ -91,7 +91,8 @@ Scene RandomScene::scene() const {
                "temperature_C = 70\nsaturation = 0.3\nleavener = 0.6", dice);
   text += blob("dough", "sphere = { centre_m = [-0.3, -0.45, -0.1], radius_m = 0.13 }", "temperature_C = 95\nsaturation = 0", dice);
   // nowhere on the grid's planes: a node must not lie at a threshold of a distance
-  text += fmt::format(R"(
+  const std::string solids = fmt::format(
+      R"(
 [[collider]]
 shape = {{ half_space = {{ point_m = [0, 0, -0.21], normal = {} }} }}
 friction = 0.3
@@ -103,9 +104,8 @@ contact = "sticky"
 motion = [{{ time_s = 0 }}, {{ time_s = 1, position_m = [0, -0.4, 0], rotation_deg = {} }}]
 pivot_m = [0.1, 0.45, 0.1]
 )",
-                      "[0.1, 0.2, 1]", fmt::format("[{:.17g}, {:.17g}, 0.1]", dice.between(0.05, 0.15), dice.between(0.4, 0.5)),
-                      dice.vector(-90, 90));
-  text += tables;
+      "[0.1, 0.2, 1]", fmt::format("[{:.17g}, {:.17g}, 0.1]", dice.between(0.05, 0.15), dice.between(0.4, 0.5)), dice.vector(-90, 90));
+  text += (colliders ? solids : "") + tables;
   builder.overrides = overrides;
   return builder.scene();
 }

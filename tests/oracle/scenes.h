@@ -26,6 +26,7 @@ struct RandomScene {
   std::string gravity = {};                                    ///< drawn if empty
   std::string faces = "x_min = \"sticky\"\ny_min = \"slip\"";  ///< keys of [domain]
   std::vector<std::string> overrides = {};                     ///< `key=value`, as for parse_scene
+  bool colliders = true;                                       ///< a hot floor and a ball that moves
   Vector3 far_corner{0.6, 0.6, 0.6};                           ///< of the domain
   int seed = 1;
   std::string precision = "double";

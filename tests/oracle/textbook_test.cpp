@@ -34,6 +34,16 @@ TEST(RecipeOf, AFractureEnergyIsRefused) {
             "dough.toml: material crust: fracture_energy_J_per_m2: found 6, allowed: inf, which the textbook knows");
 }
 
+TEST(RecipeOf, SettlingIsRefused) {
+  Scene scene;
+  scene.file = "dough.toml";
+  scene.grid.dx_m = 0.1;
+  scene.effects = effect_names();
+  scene.settings.get<Motion::Settings>().settle_damping_per_s = 20;
+  EXPECT_EQ(message_of<InputError>([&] { recipe_of(scene); }),
+            "dough.toml: motion.settle_damping_per_s: found 20, allowed: 0, since the textbook does not settle");
+}
+
 constexpr Kernel k_kernels[] = {Kernel::quadratic, Kernel::cubic};
 constexpr Gradient k_gradients[] = {Gradient::moments, Gradient::spline};
 

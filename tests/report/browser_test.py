@@ -30,6 +30,15 @@ def settled(page):
     page.run("new Promise(done => setTimeout(() => requestAnimationFrame(() => bodies[0].drawn.then(done)), 350))")
 
 
+def opened(browser, address, state, width=1280, height=900, scale=1, **options):
+    """A page on which the first body stands in a state."""
+    page = Page(browser, width, height, scale, **options)
+    page.open(address + f"#{BODY}&{state}")
+    page.wait("document.querySelector('.alive')")
+    settled(page)
+    return page
+
+
 def colour_of(share):
     at = min(share * (len(INFERNO) - 1), len(INFERNO) - 1.000001)
     low, high = INFERNO[int(at)], INFERNO[int(at) + 1]
@@ -37,10 +46,7 @@ def colour_of(share):
 
 
 def turns_and_is_linked(browser, address):
-    page = Page(browser, 1280, 900)
-    page.open(address + f"#{BODY}&t=1&by=temperature&cut=x0.6")
-    page.wait("document.querySelector('.alive')")
-    settled(page)
+    page = opened(browser, address, "t=1&by=temperature&cut=x0.6")
     state = page.run("bodies[0].state")
     check((state["time"], state["field"], state["cut"], state["place"]) == (1, "temperature", True, 0.6), "recalled", state)
     check(page.run("!document.querySelector('.still')"), "a body stands still")
@@ -101,10 +107,7 @@ def turns_and_is_linked(browser, address):
 
 
 def reads_what_is_seen(browser, address):
-    page = Page(browser, 1280, 900)
-    page.open(address + f"#{BODY}&t=2&by=temperature&cut=x0.5&from=0,0.3,1")
-    page.wait("document.querySelector('.alive')")
-    settled(page)
+    page = opened(browser, address, "t=2&by=temperature&cut=x0.5&from=0,0.3,1")
     for dx, dy in [(0, 0), (60, 0), (-80, 30), (20, -70)]:
         x, y = page.run(f"[Math.round(bodies[0].canvas.width / 2) + {dx}, Math.round(bodies[0].canvas.height / 2) + {dy}]")
         seen = page.run(f"[...{COPY}(bodies[0].canvas).getImageData({x}, {y}, 1, 1).data]")
@@ -121,10 +124,7 @@ def reads_what_is_seen(browser, address):
 
 
 def leaves_the_page_its_wheel_and_fingers(browser, address):
-    page = Page(browser, 1280, 900)
-    page.open(address + f"#{BODY}&t=2")
-    page.wait("document.querySelector('.alive')")
-    settled(page)
+    page = opened(browser, address, "t=2")
     x, y = page.run(MIDDLE)
     from_above, far = page.run("scrollY"), page.run("bodies[0].camera.far")
     page.mouse("mouseWheel", x, y, deltaX=0, deltaY=120)
@@ -140,10 +140,7 @@ def leaves_the_page_its_wheel_and_fingers(browser, address):
     time.sleep(0.5)
     check(page.run("bodies[0].camera.far") > far, "the wheel does not zoom")
 
-    page = Page(browser, 390, 844, 2, touch=True)
-    page.open(address + f"#{BODY}&t=2")
-    page.wait("document.querySelector('.alive')")
-    settled(page)
+    page = opened(browser, address, "t=2", 390, 844, 2, touch=True)
     x, y = page.run(MIDDLE)
     turn, far = page.run("bodies[0].camera.turn"), page.run("bodies[0].camera.far")
     page.touch("touchStart", (x, y))
@@ -160,28 +157,20 @@ def leaves_the_page_its_wheel_and_fingers(browser, address):
 
 
 def keeps_its_policy(browser, address):
-    page = Page(browser, 1280, 900)
-    page.open(address + f"#{BODY}&t=2")
-    page.wait("document.querySelector('.alive')")
+    page = opened(browser, address, "t=2")
     check(page.run("fetch('https://example.org/').then(() => 'went out', () => 'refused')") == "refused", "a request went out")
     check(any("Content Security Policy" in line for line in page.told()), "it was not the policy that refused:", page.told())
 
 
 def comes_back_after_a_lost_context(browser, address):
-    page = Page(browser, 1280, 900)
-    page.open(address + f"#{BODY}&t=2")
-    page.wait("document.querySelector('.alive')")
-    settled(page)
+    page = opened(browser, address, "t=2")
     kept = page.run(SUM % 0)
     page.run("bodies[0].paper.clearRect(0, 0, 9999, 9999), loseContext()")
     page.wait(f"{SUM % 0}[1] >= {kept[1]}", 20)
 
 
 def plays_no_motion_where_none_is_wanted(browser, address):
-    page = Page(browser, 1280, 900, calm=True)
-    page.open(address + f"#{BODY}&t=0")
-    page.wait("document.querySelector('.alive')")
-    settled(page)
+    page = opened(browser, address, "t=0", calm=True)
     page.run("document.querySelector('.play').click()")
     settled(page)
     check(page.run("bodies[0].state.time") == 1 and not page.run("bodies[0].timer"), "it moves by itself")

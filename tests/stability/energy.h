@@ -29,6 +29,7 @@ class Work {
   void add(const Simulation& s) {
     auto now = states(s);
     const double dt = s.time() - time_;
+    const Vector3 g = gravity(s.time());
     time_ = s.time();
     for (std::size_t i = 0; i < last_.size(); ++i) {  // in the order of their identities; none leaves, and what is poured comes last
       const State& before = last_[i];
@@ -36,7 +37,7 @@ class Work {
       p.v = (1 / dt) * (p.x - before.x), p.swelling = std::log(p.J / before.J) / dt;
       const Vector3 v = first_ ? p.v : 0.5 * (p.v + before.v);
       const double swelling = first_ ? p.swelling : (p.swelling + before.swelling) / 2;
-      const double lift = dt * before.mass * dot(gravity(), v), push = dt * before.V_0 * before.pressure * swelling,
+      const double lift = dt * before.mass * dot(g, v), push = dt * before.V_0 * before.pressure * swelling,
                    warming = 0.5 * (before.thermal_pressure + p.thermal_pressure) * p.V_0 * (p.thermal_strain - before.thermal_strain);
       given_ += lift + push + warming;
       exchanged_ += std::abs(lift) + std::abs(push) + std::abs(warming);
@@ -50,13 +51,16 @@ class Work {
 
  private:
   struct State {
-    Vector3 x, v;                             ///< v and swelling, d(ln J)/dt, are those of the step that led here
-    double swelling;                          ///< [1/s]
-    double mass, V_0, J, pressure;            ///< pi, the negative of the Kirchhoff stress that gas and water add [Pa]
-    double thermal_strain, thermal_pressure;  ///< 3 alpha_l (theta - theta_0), and K of it less tr epsilon [Pa]
+    Vector3 x, v = {0, 0, 0};                         ///< v and swelling, d(ln J)/dt, are those of the step that led here
+    double swelling = 0;                              ///< [1/s]
+    double mass, V_0, J, pressure;                    ///< pi, the negative of the Kirchhoff stress that gas and water add [Pa]
+    double thermal_strain = 0, thermal_pressure = 0;  ///< 3 alpha_l (theta - theta_0), and K of it less tr epsilon [Pa]
   };
 
-  Vector3 gravity() const { return scene_->lists("motion") ? scene_->of<Motion>().gravity_m_per_s2 : Vector3{0, 0, 0}; }
+  /// Its mean until `time`.
+  Vector3 gravity(double time) const {
+    return scene_->lists("motion") ? scene_->of<Motion>().gravity_m_per_s2.mean(time_, time) : Vector3{0, 0, 0};
+  }
 
   double pressure(const Material& material, double V_0, double J, double theta, double nu, double water) const {
     constexpr double R = 8.314, k_atmosphere = 101325, k_zero = 273.15;
@@ -87,15 +91,8 @@ class Work {
       const auto of_it = [&](const auto* values, double otherwise) { return values ? (*values)[i] : otherwise; };
       const double m_w = of_it(water, 0), ratio = of_it(J, 1);
       const Material& material = scene_->materials[static_cast<std::size_t>(now.material[i])];
-      all.push_back({now.position[i],
-                     {},
-                     0,
-                     solid[i] + m_w,
-                     V_0[i],
-                     ratio,
-                     pressure(material, V_0[i], ratio, of_it(theta, material.initial_temperature_C), of_it(nu, 0), m_w),
-                     0,
-                     0});
+      const double pi = pressure(material, V_0[i], ratio, of_it(theta, material.initial_temperature_C), of_it(nu, 0), m_w);
+      all.push_back({.x = now.position[i], .mass = solid[i] + m_w, .V_0 = V_0[i], .J = ratio, .pressure = pi});
       if (!theta || !strain) continue;
       const Elasticity::Material& e = of<Elasticity>(material);
       const double bulk = e.young_modulus_Pa / (3 * (1 - 2 * e.poisson_ratio));

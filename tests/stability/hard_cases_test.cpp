@@ -17,8 +17,7 @@ namespace bake {
 namespace {
 
 TEST(AStepAskedForFarTooLarge, IsCutToWhatIsStable) {
-  Dough dough = small();
-  dough.effects = k_everything;
+  Dough dough = small(k_everything);
   dough.frame_s = 10;
   dough.tables = "[time]\nlargest_step_s = 1e3\n[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 100\n";
   Watched ball(dough);
@@ -36,8 +35,7 @@ TEST(AStepBelowTheSmallestAllowed, EndsTheRunWithTheReason) {
 
 TEST(AStepOfAbsurdlyStiffDough, EndsTheRunInsteadOfCrawling) {
   Dough dough = small();
-  const std::string usual = "young_modulus_Pa = 2e4";
-  dough.material.replace(dough.material.find(usual), usual.size(), "young_modulus_Pa = 1e30");
+  dough.material = Dough::changed({{"young_modulus_Pa", "1e30"}});
   const std::string message = message_of<RunError>([&] { Watched(dough).run(0.01); });
   for (const char* part : {"stiffness", "below time.smallest_step_s = "}) EXPECT_NE(message.find(part), std::string::npos) << message;
 }
@@ -109,8 +107,7 @@ constexpr std::array k_no_numbers{std::numeric_limits<Real>::quiet_NaN(), std::n
 
 /// With FLIP particles keep their velocity as well.
 Dough of_everything(const char* precision) {
-  Dough dough = small();
-  dough.effects = k_everything;
+  Dough dough = small(k_everything);
   dough.precision = precision;
   dough.motion = k_flip;
   return dough;
@@ -269,12 +266,9 @@ TEST(ACheckpoint, ThatIsWrongInAnyWayIsRefusedOrAtLeastDoesNoHarm) {
 }
 
 TEST(StiffPores, AreStableAndFreeOfStressAtTheStart) {
-  Dough dough = small();
-  dough.effects = k_everything;
+  Dough dough = small(k_everything);
   dough.gravity = "[0, 0, 0]";
-  const auto change = [&](const std::string& from, const char* to) { dough.material.replace(dough.material.find(from), from.size(), to); };
-  change("initial_porosity = 0.2", "initial_porosity = 0.01");
-  change("production_mol_per_kgs = 0.3", "");
+  dough.material = Dough::changed({{"initial_porosity", "0.01"}, {"production_mol_per_kgs", "0"}});
   dough.leavening = "reference_pressure_Pa = 101325";
   dough.frame_s = 1;
   Watched ball(dough);
@@ -302,8 +296,7 @@ TEST(DoughThrownAtAClosedFaceAtAThousandMetresPerSecond, StaysInsideAndItsBooksA
 }
 
 TEST(AnEmptyScene, GoesOnDoingNothing) {
-  Dough dough;
-  dough.effects = k_everything;
+  Dough dough(k_everything);
   dough.shape = "";
   const auto s = dough.begin();
   EXPECT_TRUE(s->advance(0.5, 1));
@@ -334,16 +327,14 @@ shape = { half_space = { point_m = [0, 0, -0.35], normal = [0, 0, 1] } }
 }
 
 TEST(BodiesThatOverlap, PushEachOtherApartAndKeepTheirBooks) {
-  Dough dough = small();
-  dough.effects = k_everything;
+  Dough dough = small(k_everything);
   dough.tables =
       "[[body]]\nmaterial = \"dough\"\nparticles_per_cell = 8\nshape = { sphere = { centre_m = [0.2, 0, 0], radius_m = 0.3 } }\n";
   ASSERT_NO_FATAL_FAILURE(Watched(dough).run(0.2));
 }
 
 Dough lonely(const std::string& effects) {
-  Dough dough = small();
-  dough.effects = effects;
+  Dough dough = small(effects);
   dough.material = Dough::properties(Dough::moving_water());
   dough.tables = "[oven]\ntemperature_C = 100\nheat_transfer_coefficient_W_per_m2K = 100\n";
   // one point of the lattice, spacing dx / 2, lies in the middle of a box no larger than a spacing
@@ -417,11 +408,9 @@ TEST(ABodyOutsideTheDomain, IsRefusedBeforeTheRun) {
 }
 
 TEST(ADoughHeatedFromTheFreezerTo400DegreesInOneFrame, StaysFinite) {
-  Dough dough = small();
-  dough.effects = k_everything;
+  Dough dough = small(k_everything);
   dough.body = "temperature_C = -20";
-  const std::string key = "conductivity_W_per_mK = 100";
-  dough.material.replace(dough.material.find(key), key.size(), "conductivity_W_per_mK = 1e5");
+  dough.material = Dough::changed({{"conductivity_W_per_mK", "1e5"}});
   dough.tables = "[oven]\ntemperature_C = 400\nheat_transfer_coefficient_W_per_m2K = 1e5\n";
   Watched ball(dough);
   ASSERT_NO_FATAL_FAILURE(ball.run(0.04));

@@ -67,8 +67,7 @@ motion = [{ time_s = 0 }, { time_s = 0.2, position_m = [0, 0, -0.55] }]
 /// What shrinking flesh gives its skin comes from the water's pressure, and nothing else does: within 1.5 % after the first steps, in which
 /// drying begins at once. (Measured: 1.2 %, and the same sign and size without a skin: what APIC takes of what swings.)
 TEST(ADryingFruit, ClosesItsEnergy) {
-  Dough dough;
-  dough.effects = "motion, water, elasticity";
+  Dough dough("motion, water, elasticity");
   dough.shape = "sphere = { centre_m = [0.01, 0.02, 0.03], radius_m = 0.3 }";
   dough.frame_s = 0.02;
   dough.material = R"(

@@ -58,7 +58,7 @@ struct Browning : Effect {
   }
 
   BAKE_INLINE static void gather(auto& p, const auto&, const auto& k, const auto& step, auto& books) {
-    const auto browned = step.dt * rate(p, k) * (1 - p[field::brown]);
+    const auto browned = step.baking_dt * rate(p, k) * (1 - p[field::brown]);
     p[field::brown] += browned;
     p[field::theta] -= (k.heat / k.capacity) * browned;
     books.book(booked::browning_heat, k.heat * p[field::m_s] * browned);

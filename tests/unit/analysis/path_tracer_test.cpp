@@ -64,6 +64,43 @@ TEST(PathTracer, CoatNeitherMakesNorLosesMuchLight) {
   }
 }
 
+/// What is large beside its light's free paths shows the albedo that was asked for.
+TEST(PathTracer, TranslucentBodyShowsItsAlbedo) {
+  for (const float albedo : {0.2f, 0.5f, 0.8f}) {
+    PathTracer tracer;
+    tracer.sky = furnace();
+    tracer.add(sphere(1, albedo, {0, 0.5f, 0.01f}));
+    EXPECT_NEAR(mean(tracer.expose(camera_at(4, 0.05f), {16, 16, 64, 1})), albedo, 0.03) << albedo;
+  }
+}
+
+/// An octahedron. Of each scattering the fit lets a thousandth be absorbed inside a white body, and light is scattered a few times.
+TEST(PathTracer, WhiteTranslucentBodyLosesNoLight) {
+  TriangleObject body;
+  body.vertices = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  for (const std::uint32_t x : {0u, 1u})
+    for (const std::uint32_t y : {2u, 3u})
+      for (const std::uint32_t z : {4u, 5u}) body.triangles.push_back({x, y, z});
+  body.albedos.assign(6, Colour::Ones());
+  body.gloss.depth = 0.2f;
+  PathTracer tracer;
+  tracer.sky = furnace();
+  tracer.add(std::move(body));
+  EXPECT_NEAR(mean(tracer.expose(camera_at(4, 0.05f), {16, 16, 64, 1})), 1, 0.004);
+}
+
+/// A ball with a lamp behind it: the side that is seen of an opaque one is dark.
+TEST(PathTracer, LightPassesThroughATranslucentBody) {
+  const auto seen_through = [](float depth) {
+    PathTracer tracer;
+    tracer.add(sphere(0.5f, 0.9f, {0, 0.5f, depth}));
+    tracer.lamp = {{0, 3, 0}, {0, -1, 0}, 0.1f, Colour::Constant(100)};
+    return mean(tracer.expose(camera_at(4, 0.03f), {8, 8, 64, 1}));
+  };
+  EXPECT_EQ(seen_through(0), 0);
+  EXPECT_GT(seen_through(0.2f), 3 * seen_through(0.02f));
+}
+
 /// No light is lost however often it goes to and fro between body and floor.
 TEST(PathTracer, WhiteBodyOnAWhiteFloorInAFurnaceCannotBeSeen) {
   PathTracer tracer;

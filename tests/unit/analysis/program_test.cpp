@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <set>
 
 #include "solver/io/mesh_file.h"
 #include "tests/unit/analysis/runs.h"
@@ -43,6 +44,8 @@ TEST_F(RenderProgram, MakesPicturesSlicesSurfacesAndMontages) {
   EXPECT_EQ(call("surface run/frames/0002.hdf --out c.hdf"), 0) << contents(folder / ".err");
   EXPECT_EQ(call("picture view.toml c.hdf --results run --out d.png --set camera.margin=0.2"), 0) << contents(folder / ".err");
   EXPECT_EQ(call("montage a.png d.png --label one --label two --out e.png"), 0) << contents(folder / ".err");
+  EXPECT_EQ(call("montage a.png d.png --row 'a d d' --row 'a d d' --cell 64x48 --out f.png"), 0) << contents(folder / ".err");
+  EXPECT_EQ(read_png(folder / "f.png").width, 3 * 64 + 2 * 2);
   for (const char* file : {"a.png", "b.png", "c.hdf", "d.png", "e.png"}) EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
 }
 
@@ -61,6 +64,18 @@ TEST_F(RenderProgram, MakesModelsAndJpegsForAPage) {
   const auto ids = [&](const char* name) { return FrameReader(folder / "small" / name).identities(); };
   EXPECT_EQ(ids("particles_0000.hdf"), ids("particles_0002.hdf")) << "the same ones in all frames";
   EXPECT_NE(contents(folder / "small/look.json").find("\"skin\":[[0.0,\"edd9ad\"]"), std::string::npos);
+
+  put(folder / "half.toml", "[[object]]\nmirrored = \"z\"\n");
+  ASSERT_EQ(call("model half.toml fine --frames 0,2 --out whole --triangles 3000 --particles 1000000"), 0) << contents(folder / ".err");
+  const FrameReader once(folder / "fine/frames/0002.hdf"), twice(folder / "whole/particles_0002.hdf");
+  EXPECT_EQ(twice.particles(), 2 * once.particles()) << "what was run beside a mirror is completed";
+  const std::vector<std::int64_t> all = twice.identities();
+  EXPECT_EQ(std::set(all.begin(), all.end()).size(), all.size());
+  const std::vector<double> x = twice.positions();
+  for (std::size_t i = 0; i < once.particles(); ++i) {
+    EXPECT_EQ(x[3 * (i + once.particles())], x[3 * i]);
+    EXPECT_EQ(x[3 * (i + once.particles()) + 2], -x[3 * i + 2]);
+  }
 
   ASSERT_EQ(call("picture view.toml run/frames/0002.hdf --out a.png --size 64x48"), 0) << contents(folder / ".err");
   ASSERT_EQ(call("jpeg a.png --out a.jpg --width 32"), 0) << contents(folder / ".err");
@@ -145,6 +160,11 @@ TEST_F(RenderProgram, RefusesWrongUseInOneLine) {
   expect_refused("surface run.json --out a.hdf", "run.json");
   expect_refused("montage --out a.png", "required");
   expect_refused("montage view.toml --out a.png", "view.toml: not a picture");
+  expect_refused("montage one.png two.png --row 'one' --out a.png", "--row: found 1 names for 2 pictures, allowed: one for each");
+  expect_refused("montage one.png --row 'eins' --out a.png", "--row: found 'eins', allowed: names of the pictures' files, without .png");
+  expect_refused("montage one.png two.png --row 'one two' --row one --out a.png", "--row: found rows of 2 and 1 cells");
+  expect_refused("montage one.png --row one --cell 4 --out a.png", "one.png: no such file");
+  expect_refused("montage one.png --row one --columns 2 --out a.png", "excludes");
   expect_refused("movie view.toml nowhere --out film", "nowhere: no such folder");
   EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
 }

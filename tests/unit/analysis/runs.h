@@ -2,11 +2,9 @@
 // Small runs as bake would have left them, for tests of what reads them.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <numbers>
 #include <vector>
 
 #include "solver/io/frames.h"

@@ -102,6 +102,43 @@ TEST(Montage, PutsPicturesSideBySide) {
   EXPECT_THROW(montage({red}, {"a", "b"}, 1), std::invalid_argument);
 }
 
+TEST(Tiles, FillTheCellsThatHaveTheirName) {
+  const Layout layout = layout_of({"red blue  blue", "grey  blue blue"});
+  ASSERT_EQ(layout.problem, "");
+  ASSERT_EQ(layout.places.size(), 3u);
+  EXPECT_EQ(layout.places[1].name, "blue");
+  EXPECT_EQ(layout.places[1].columns, 2);
+  EXPECT_EQ(layout.places[1].rows, 2);
+  const Image red(40, 30, Colour(1, 0, 0)), blue(80, 60, Colour(0, 0, 1)), grey(7, 90, Colour::Constant(0.5f));
+  const Image tiles = tiled({red, blue, grey}, layout, 40, 30);
+  EXPECT_EQ(tiles.width, 3 * 40 + 2 * 2);
+  EXPECT_EQ(tiles.height, 2 * 30 + 2);
+  EXPECT_EQ(tiles.at(0, 0), pixel(Colour(1, 0, 0)));
+  EXPECT_EQ(tiles.at(39, 29), pixel(Colour(1, 0, 0)));
+  EXPECT_EQ(tiles.at(40, 0), pixel(Colour::Ones())) << "a gap";
+  EXPECT_EQ(tiles.at(42, 0), pixel(Colour(0, 0, 1)));
+  EXPECT_EQ(tiles.at(83, 31), pixel(Colour(0, 0, 1))) << "no gap inside";
+  EXPECT_EQ(tiles.at(123, 61), pixel(Colour(0, 0, 1)));
+  EXPECT_EQ(tiles.at(0, 32), pixel(Colour::Constant(0.5f))) << "a picture of another shape covers its cell, too";
+  EXPECT_EQ(tiles.at(39, 61), pixel(Colour::Constant(0.5f)));
+  EXPECT_THROW(tiled({red}, layout, 40, 30), std::invalid_argument);
+}
+
+TEST(Tiles, ShowTheMiddleOfAPictureThatIsTooWide) {
+  Image wide(90, 30, Colour(1, 0, 0));
+  paste(wide, Image(30, 30, Colour(0, 0, 1)), 30, 0);
+  const Image cell = tiled({wide}, layout_of({"wide"}), 30, 30);
+  for (const auto& p : cell.pixels) EXPECT_EQ(p, pixel(Colour(0, 0, 1)));
+}
+
+TEST(Tiles, RefuseWhatIsNoGrid) {
+  EXPECT_EQ(layout_of({}).problem, "found no cell, allowed: rows of names");
+  EXPECT_EQ(layout_of({" "}).problem, "found no cell, allowed: rows of names");
+  EXPECT_EQ(layout_of({"a b", "a"}).problem, "found rows of 2 and 1 cells, allowed: as many in each");
+  for (const std::vector<std::string>& rows : {std::vector<std::string>{"a b a"}, {"a b", "b b"}, {"a b", "b a"}})
+    EXPECT_TRUE(layout_of(rows).problem.ends_with("that are no rectangle, allowed: cells that fill one")) << rows.front();
+}
+
 TEST(Images, MadeSmallerKeepTheirMean) {
   Image image(64, 48, Colour::Zero());
   for (int y = 0; y < 48; ++y)

@@ -3,9 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <cmath>
 #include <map>
-#include <numbers>
 
 #include "analysis/surface/mesh_tools.h"
 #include "analysis/surface/splat.h"
@@ -70,6 +68,15 @@ TEST(SplatSurface, IsTheSameForAnyNumberOfThreads) {
   EXPECT_TRUE(same_bits(one.points, three.points));
   EXPECT_EQ(one.cells, three.cells);
   EXPECT_TRUE(same_bits(one.fields[0].values, three.fields[0].values));
+}
+
+TEST(SplatSurface, OfRagsMayBeCoarserThanTheirParticles) {
+  Particles rags = particles_of(Ball(0.1f, 0.02f));
+  for (float& volume : rags.volumes) volume = 1e-9f;  // of 1 mm
+  const Mesh mesh = splat_surface(rags, {0.04, 1});
+  const MeshField* height = mesh.find("height");
+  ASSERT_TRUE(height);
+  for (std::size_t i = 0; i < mesh.vertex_count(); ++i) EXPECT_NEAR(height->values[i], mesh.points[3 * i + 2], 0.04);
 }
 
 TEST(SplatSurface, OfStrewnParticlesIsRefused) {

@@ -59,10 +59,7 @@ TEST(Transformed, KeepsDistancesUpToItsScaleAndTurnsNormals) {
       const Point drawn = random(), x = rotation * (2.5 * drawn) + move;
       ASSERT_NEAR(moved->distance(x), 2.5 * sample.shape->distance(drawn), 1e-13) << sample.name;
       ASSERT_LT(length(moved->normal(x) - rotation * sample.shape->normal(drawn)), 1e-6) << sample.name;
-      for (int axis = 0; axis < 3 && moved->distance(x) <= 0; ++axis) {
-        ASSERT_GE(x[axis], box.low[axis]) << sample.name;
-        ASSERT_LE(x[axis], box.high[axis]) << sample.name;
-      }
+      ASSERT_TRUE(moved->distance(x) > 0 || holds(box, x)) << sample.name;
     }
   }
 }

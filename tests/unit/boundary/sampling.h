@@ -55,6 +55,13 @@ inline ShapePtr make_cone(const Point& from, const Point& to, double from_radius
   return make<Cone>([&](Cone& s) { s.from_m = from, s.to_m = to, s.from_radius_m = from_radius, s.to_radius_m = to_radius; });
 }
 
+/// Whether x is in the box, or no farther from it than the tolerance along an axis.
+inline bool holds(const Box3& box, const Point& x, double tolerance = 0) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (x[axis] < box.low[axis] - tolerance || x[axis] > box.high[axis] + tolerance) return false;
+  return true;
+}
+
 struct Sample {
   std::string name;
   ShapePtr shape;

@@ -31,11 +31,8 @@ TEST(ScriptedShape, BoundsHoldTheMovedSolid) {
       const Box3 box = scripted.bounds(pose);
       RandomPoints random(sample.shape->bounds().low, sample.shape->bounds().high);
       for (int i = 0; i < 500; ++i) {
-        const Point drawn = random(), x = pose.to_world(drawn);
-        for (int axis = 0; axis < 3 && sample.shape->distance(drawn) <= 0; ++axis) {
-          ASSERT_GE(x[axis], box.low[axis] - 1e-14) << sample.name;
-          ASSERT_LE(x[axis], box.high[axis] + 1e-14) << sample.name;
-        }
+        const Point drawn = random();
+        ASSERT_TRUE(sample.shape->distance(drawn) > 0 || holds(box, pose.to_world(drawn), 1e-14)) << sample.name;
       }
     }
   }

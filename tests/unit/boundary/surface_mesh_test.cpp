@@ -5,10 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <memory>
+#include <numeric>
 
-#include "solver/boundary/shapes.h"
-#include "solver/core/vector3.h"
+#include "tests/unit/boundary/sampling.h"
 
 namespace bake {
 namespace {
@@ -19,28 +18,19 @@ struct Named {
 };
 
 std::vector<Named> solids() {
-  auto ball = std::make_shared<Sphere>();
-  ball->radius_m = 6;
-  auto grape = std::make_shared<Ellipsoid>();
-  grape->half_axes_m = {9, 8, 6};
-  auto slice = std::make_shared<Cylinder>();
-  slice->to_m = {0, 0, 4};
-  slice->radius_m = 10;
-  auto brick = std::make_shared<Box>();
-  brick->half_extents_m = {5, 4, 3};
-  auto loaf = std::make_shared<Superellipsoid>();
-  loaf->half_axes_m = {8, 6, 5};
-  loaf->plan_exponent = 4;
-  auto top = std::make_shared<Sphere>();
-  top->radius_m = 4;
-  top->centre_m = {0, 0, 5};
+  const ShapePtr ball = make_sphere({0, 0, 0}, 6), brick = make_box({0, 0, 0}, {5, 4, 3});
   return {{"ball", ball},
-          {"grape", grape},
-          {"slice", slice},
+          {"grape", make_ellipsoid({0, 0, 0}, {9, 8, 6})},
+          {"slice", make_cylinder({0, 0, 0}, {0, 0, 4}, 10)},
           {"brick", brick},
-          {"loaf", loaf},
-          {"two balls", make_union({ball, top})},
+          {"loaf", make_superellipsoid({8, 6, 5}, 4, 2)},
+          {"two balls", make_union({ball, make_sphere({0, 0, 5}, 4)})},
           {"turned brick", make_transformed(brick, 1.3, {30, 20, 10}, {1, 2, 3})}};
+}
+
+double whole_area(const SurfaceMesh& mesh) {
+  const std::vector<double> areas = vertex_areas(mesh);
+  return std::accumulate(areas.begin(), areas.end(), 0.0);
 }
 
 constexpr double k_edge = 0.6, k_depth = 0.4;
@@ -75,54 +65,32 @@ TEST(Cover, IsClosedEvenAndAtItsDepth) {
   }
 }
 
-TEST(Cover, OfABallHasItsAreaAndVolume) {
-  Sphere ball;
-  ball.radius_m = 10;
-  const SurfaceMesh mesh = cover(ball, k_edge, k_depth);
-  double area = 0;
-  for (const double a : vertex_areas(mesh)) area += a;
-  EXPECT_NEAR(area / (4 * M_PI * 9.6 * 9.6), 1, 0.002);
+TEST(Cover, OfABallHasItsArea) {
+  EXPECT_NEAR(whole_area(cover(*make_sphere({0, 0, 0}, 10), k_edge, k_depth)) / (4 * M_PI * 9.6 * 9.6), 1, 0.002);
 }
 
 TEST(Cover, IsTheSameEveryTime) {
-  Sphere ball;
-  ball.radius_m = 4;
-  const SurfaceMesh one = cover(ball, k_edge, k_depth), other = cover(ball, k_edge, k_depth);
+  const ShapePtr ball = make_sphere({0, 0, 0}, 4);
+  const SurfaceMesh one = cover(*ball, k_edge, k_depth), other = cover(*ball, k_edge, k_depth);
   EXPECT_EQ(one.points, other.points);
   EXPECT_EQ(one.triangles, other.triangles);
 }
 
 TEST(Cover, RefusesWhatIsTooThin) {
-  Cylinder wafer;
-  wafer.to_m = {0, 0, 0.9};
-  wafer.radius_m = 10;
-  EXPECT_THROW(cover(wafer, k_edge, k_depth), InputError);
-  Sphere crumb;
-  crumb.radius_m = 0.3;
-  EXPECT_THROW(cover(crumb, k_edge, k_depth), InputError);
-  Sphere planet;
-  planet.radius_m = 1e4;
-  EXPECT_THROW(cover(planet, k_edge, k_depth), InputError);
+  const ShapePtr wafer = make_cylinder({0, 0, 0}, {0, 0, 0.9}, 10), crumb = make_sphere({0, 0, 0}, 0.3),
+                 planet = make_sphere({0, 0, 0}, 1e4);
+  for (const ShapePtr& shape : {wafer, crumb, planet}) EXPECT_THROW(cover(*shape, k_edge, k_depth), InputError);
 }
 
 TEST(PartInside, KeepsTrianglesOfARegionAndTheirVerticesOnly) {
-  Sphere ball;
-  ball.radius_m = 6;
-  HalfSpace below;
-  const SurfaceMesh half = part_inside(cover(ball, k_edge, k_depth), below);
-  double area = 0;
-  for (const double a : vertex_areas(half)) {
-    EXPECT_GT(a, 0);
-    area += a;
-  }
-  EXPECT_NEAR(area / (2 * M_PI * 5.6 * 5.6), 1, 0.03);
+  const SurfaceMesh half = part_inside(cover(*make_sphere({0, 0, 0}, 6), k_edge, k_depth), *make_half_space({0, 0, 0}, {0, 0, 1}));
+  for (const double area : vertex_areas(half)) EXPECT_GT(area, 0);
+  EXPECT_NEAR(whole_area(half) / (2 * M_PI * 5.6 * 5.6), 1, 0.03);
   for (const Point& x : half.points) EXPECT_LT(x[2], k_edge);
 }
 
 TEST(MoveInwards, GoesAgainstTheNormals) {
-  Sphere ball;
-  ball.radius_m = 6;
-  SurfaceMesh mesh = cover(ball, k_edge, 0);
+  SurfaceMesh mesh = cover(*make_sphere({0, 0, 0}, 6), k_edge, 0);
   move_inwards(mesh, 0.5);
   for (const Point& x : mesh.points) EXPECT_NEAR(length(x), 5.5, 0.01);
 }

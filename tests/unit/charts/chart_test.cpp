@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/charts/chart.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include "analysis/charts/labels.h"

@@ -31,11 +31,7 @@ class BodyMetrics : public WrittenRun {
     frame(0, {});
     frame(1, slab());
   }
-  MetricPlace since_1() const {
-    MetricPlace place;
-    place.reference_time_s = 1;
-    return place;
-  }
+  const MetricPlace since_1{.reference_time_s = 1};
   /// Turned about the y axis by `angle` and shifted.
   static Vector3 tossed(const Vector3& x, double angle) {
     return {std::cos(angle) * x[0] + std::sin(angle) * x[2] + 20, x[1] - 3, -std::sin(angle) * x[0] + std::cos(angle) * x[2] + 7};
@@ -49,27 +45,25 @@ TEST_F(BodyMetrics, FindThePartThatIsTheLargestLump) {
   EXPECT_DOUBLE_EQ(measure("largest_lump", {}), 1) << "a gap of 1.4 is no more than that between particles of a filling";
   frame(2, moved(slab(), [](Vector3 x) { return Vector3{x[0] < 6.5 ? x[0] : x[0] + 0.6, x[1], x[2]}; }));
   EXPECT_DOUBLE_EQ(measure("largest_lump", {}), 0.7);
-  MetricPlace start;
-  start.time_s = 0;
-  EXPECT_TRUE(std::isnan(measure("largest_lump", start))) << "nothing is there yet";
+  EXPECT_TRUE(std::isnan(measure("largest_lump", {.time_s = 0}))) << "nothing is there yet";
 }
 
 TEST_F(BodyMetrics, FindThatASlabWasTurnedOverAsItWas) {
   frame(2, moved(slab(), [](const Vector3& x) { return tossed(x, M_PI); }));
-  EXPECT_NEAR(measure("turned_up", since_1()), -1, 1e-6);
-  EXPECT_NEAR(measure("deformation", since_1()), 0, 1e-6);
-  EXPECT_NEAR(measure("width_change", since_1()), 0, 1e-6);
+  EXPECT_NEAR(measure("turned_up", since_1), -1, 1e-6);
+  EXPECT_NEAR(measure("deformation", since_1), 0, 1e-6);
+  EXPECT_NEAR(measure("width_change", since_1), 0, 1e-6);
   frame(2, moved(slab(), [](const Vector3& x) { return tossed(x, M_PI / 3); }));
-  EXPECT_NEAR(measure("turned_up", since_1()), 0.5, 1e-6);
-  EXPECT_NEAR(measure("deformation", since_1()), 0, 1e-6);
+  EXPECT_NEAR(measure("turned_up", since_1), 0.5, 1e-6);
+  EXPECT_NEAR(measure("deformation", since_1), 0, 1e-6);
 }
 
 TEST_F(BodyMetrics, FindHowMuchASlabWasDeformed) {
   frame(2, moved(slab(), [](Vector3 x) { return tossed({1.2 * x[0], x[1], x[2]}, M_PI); }));
-  EXPECT_NEAR(measure("turned_up", since_1()), -1, 1e-6);
-  EXPECT_NEAR(measure("width_change", since_1()), 0.2, 1e-6) << "of x alone, the larger change";
+  EXPECT_NEAR(measure("turned_up", since_1), -1, 1e-6);
+  EXPECT_NEAR(measure("width_change", since_1), 0.2, 1e-6) << "of x alone, the larger change";
   // mean squares about the middle: 99/12 along x, 35/12 along y, 8/12 along z; x is a fifth off
-  EXPECT_NEAR(measure("deformation", since_1()), 0.2 * std::sqrt(99. / (99 + 35 + 8)), 1e-6);
+  EXPECT_NEAR(measure("deformation", since_1), 0.2 * std::sqrt(99. / (99 + 35 + 8)), 1e-6);
   EXPECT_THROW(measure("deformation", {}), NoNumber) << "at the start there was nothing";
 }
 

@@ -17,12 +17,7 @@ class FrameMetrics : public WrittenRun {
   FrameMetrics() : WrittenRun(R"({"summary": {"state": "done"}})", "time_s,surface_m2\n0,1\n1,2\n2,2\n") {}
 };
 
-MetricPlace between(const Vector3& from, const Vector3& to) {
-  MetricPlace place;
-  place.from_m = from;
-  place.to_m = to;
-  return place;
-}
+MetricPlace between(const Vector3& from, const Vector3& to) { return {.from_m = from, .to_m = to}; }
 
 TEST_F(FrameMetrics, FollowTheSameParticlesInAnyOrder) {
   frame(0, {{7, {0, 0, 0}}, {8, {1, 0, 0}}, {9, {5, 0, 0}}});
@@ -46,13 +41,10 @@ TEST_F(FrameMetrics, FindTemperaturesAndWhenTheyAreReached) {
   frame(0, {{1, {0, 0, 0}, 20}, {2, {1, 0, 0}, 20}});
   frame(1, {{2, {1, 0, 0}, 60}, {1, {0, 0, 0}, 90}});
   frame(2, {{1, {0, 0, 0}, 95}, {2, {1, 0, 0}, 80}});
-  MetricPlace place;
-  place.point_m = Vector3{0.9, 0, 0};
-  EXPECT_EQ(measure("temperature_at", place), 80);
-  place.temperature_C = 60;
-  EXPECT_EQ(measure("time_to_reach", place), 1);
-  place.temperature_C = 81;
-  EXPECT_EQ(measure("time_to_reach", place), k_infinity);
+  const Vector3 point{0.9, 0, 0};
+  EXPECT_EQ(measure("temperature_at", {.point_m = point}), 80);
+  EXPECT_EQ(measure("time_to_reach", {.point_m = point, .temperature_C = 60}), 1);
+  EXPECT_EQ(measure("time_to_reach", {.point_m = point, .temperature_C = 81}), k_infinity);
 }
 
 TEST_F(FrameMetrics, TellHowMuchHotterTheSurfaceIs) {
@@ -68,11 +60,8 @@ TEST_F(FrameMetrics, TellHowMuchHotterTheSurfaceIs) {
 TEST_F(FrameMetrics, ShareVolumesNotParticles) {
   frame(0, {{1, {-1, 0, 0}}, {2, {1, 0, 0}}});
   frame(2, {{1, {-1, 0, 0}, 20, 70, 1}, {2, {3, 0, 0}, 20, 90, 3}});
-  MetricPlace place;
-  place.temperature_C = 80;
-  EXPECT_DOUBLE_EQ(measure("heated_share", place), 0.75);
-  place.radius_m = 2;
-  EXPECT_DOUBLE_EQ(measure("outflow", place), 0.75);
+  EXPECT_DOUBLE_EQ(measure("heated_share", {.temperature_C = 80}), 0.75);
+  EXPECT_DOUBLE_EQ(measure("outflow", {.radius_m = 2}), 0.75);
 }
 
 /// A slab under 2 m^2 of air, in layers that are not equally wet: once dry, exp(-z / l) of the water at depth z is gone.
@@ -91,25 +80,20 @@ std::vector<Dot> slab(int layers, double thickness, double l, bool dry) {
 
 TEST_F(FrameMetrics, FindTheThicknessOfACrust) {
   constexpr double thickness = 0.1, l = 0.02, share = 0.2;
-  MetricPlace place;
-  place.dried_share = share;
   // all of it where more than 0.3 are lost, down to l ln(1 / 0.3); then in proportion, until 0.1 are
   const double full = l * std::log(1 / 0.3), edge = l * (0.3 - 0.1) / share - 0.5 * l * std::log(3);
   for (const int layers : {500, 20}) {
     frame(0, slab(layers, thickness, l, false));
     frame(2, slab(layers, thickness, l, true));
-    EXPECT_NEAR(measure("crust_thickness", place), full + edge, layers == 500 ? 1e-6 : 4e-4) << layers << " layers";
+    EXPECT_NEAR(measure("crust_thickness", {.dried_share = share}), full + edge, layers == 500 ? 1e-6 : 4e-4) << layers << " layers";
   }
-  place.time_s = 0;
-  EXPECT_EQ(measure("crust_thickness", place), 0) << "at the start nothing is dry";
+  EXPECT_EQ(measure("crust_thickness", {.dried_share = share, .time_s = 0}), 0) << "at the start nothing is dry";
 }
 
 TEST_F(FrameMetrics, RefuseACrustOfWhatWasPoured) {
   frame(0, {{1, {0, 0, 0}}});
   frame(2, {{1, {0, 0, 0}}, {2, {1, 0, 0}}});
-  MetricPlace place;
-  place.dried_share = 0.1;
-  EXPECT_THROW(measure("crust_thickness", place), InputError);
+  EXPECT_THROW(measure("crust_thickness", {.dried_share = 0.1}), InputError);
 }
 
 /// z = 1 - kappa r^2 / 2 on top of a block of lower particles, off the origin.
@@ -127,8 +111,7 @@ std::vector<Dot> dome(double kappa) {
 }
 
 TEST_F(FrameMetrics, TellADomeFromADent) {
-  MetricPlace place;
-  place.radius_m = 0.9;
+  const MetricPlace place{.radius_m = 0.9};
   for (const double kappa : {0.5, -0.5}) {
     frame(0, dome(kappa));
     frame(2, dome(kappa));
@@ -165,9 +148,7 @@ TEST_F(FrameMetrics, MeasureTheDomingOfRoundBodiesByTheirOwnSize) {
     };
     const double height = 1 + (rise > 0 ? rise : rise * (1 - std::pow(0.995 * 0.75, 2)));
     EXPECT_NEAR(measure("doming", {}), rise / height * (mean_square(4, 6) - mean_square(0, 4)), 4e-3) << rise;
-    MetricPlace quarter;
-    quarter.point_m = Vector3{3, 4, 0};
-    EXPECT_NEAR(measure("doming", quarter), measure("doming", {}), 1e-4) << "places are in single precision";
+    EXPECT_NEAR(measure("doming", {.point_m = Vector3{3, 4, 0}}), measure("doming", {}), 1e-4) << "places are in single precision";
   }
 }
 
@@ -191,25 +172,19 @@ TEST_F(FrameMetrics, HaveNoDomingOfARingWithoutAMiddle) {
   for (Dot& dot : ring) dot.at[2] = static_cast<double>(dot.id % 2);
   frame(0, ring);
   frame(2, ring);
-  MetricPlace place;
-  place.point_m = Vector3{3, 4, 0};
-  EXPECT_TRUE(std::isnan(measure("doming", place)));
+  EXPECT_TRUE(std::isnan(measure("doming", {.point_m = Vector3{3, 4, 0}})));
 }
 
 TEST_F(FrameMetrics, MeasureADiameterWithoutItsStrays) {
   frame(0, disc(0.5, 1e-3f));
   frame(2, disc(0.8, 1e-3f));
-  MetricPlace place;
-  place.point_m = Vector3{3, 4, 7};  // its height does not matter
+  const Vector3 middle{3, 4, 7};  // its height does not matter
   // 99 % of a disc's area are within sqrt(0.99) of its radius; the lattice is a fiftieth of that
-  EXPECT_NEAR(measure("diameter", place), 2 * 0.8 * std::sqrt(0.99), 0.01);
-  place.point_m.reset();
-  EXPECT_NEAR(measure("diameter", place), 2 * 0.8 * std::sqrt(0.99), 0.01) << "about the start's middle";
-  place.time_s = 0;
-  EXPECT_NEAR(measure("diameter", place), 2 * 0.5 * std::sqrt(0.99), 0.01);
+  EXPECT_NEAR(measure("diameter", {.point_m = middle}), 2 * 0.8 * std::sqrt(0.99), 0.01);
+  EXPECT_NEAR(measure("diameter", {}), 2 * 0.8 * std::sqrt(0.99), 0.01) << "about the start's middle";
+  EXPECT_NEAR(measure("diameter", {.time_s = 0}), 2 * 0.5 * std::sqrt(0.99), 0.01);
   frame(2, disc(0.8, 1e3f));
-  place.time_s = 2;
-  EXPECT_GT(measure("diameter", place), 10) << "a stray that is an eighth of the volume is none";
+  EXPECT_GT(measure("diameter", {.time_s = 2}), 10) << "a stray that is an eighth of the volume is none";
 }
 
 TEST_F(FrameMetrics, CompareHeightAndDiameter) {
@@ -260,9 +235,7 @@ TEST_F(FrameMetrics, FindTheSteepestTwist) {
   // 20 degrees a tenth of the length, and twice as steep from 40 to 60 %: 400 degrees per length of 2 m
   frame(2, bar(2, 3, [](double share) { return -100 + 200 * share + 200 * std::clamp(share - 0.4, 0.0, 0.2); }));
   EXPECT_NEAR(measure("twist_gradient", {}), 400 / 2, 1) << "the outermost layers are half a layer from the ends";
-  MetricPlace place;
-  place.time_s = 0;
-  EXPECT_NEAR(measure("twist_gradient", place), 0, 1e-9);
+  EXPECT_NEAR(measure("twist_gradient", {.time_s = 0}), 0, 1e-9);
   frame(2, bar(2, 1, [](double share) { return share < 0.5 ? -90 : 89; }));
   EXPECT_NEAR(measure("twist_gradient", {}), 179 / 0.1, 5) << "all of it in one place";
 }
@@ -286,7 +259,7 @@ class SurfaceMetrics : public testing::Test {
  protected:
   double measure(const char* metric, const MetricPlace& place = {}, const std::string& json = k_fracture) const {
     std::ofstream(folder_ / "fracture.json") << json;
-    return find_metric(metric).of_surface(read_fracture(folder_ / "fracture.json"), place);
+    return std::get<OfSurface>(find_metric(metric).of)(read_fracture(folder_ / "fracture.json"), place);
   }
   const TemporaryFolder folder_;
 };
@@ -310,23 +283,17 @@ TEST_F(SurfaceMetrics, ReadANumberThatIsNullAsNaN) {
   EXPECT_NE(message.find("fracture.json: a crack's area_m2 at 3 s: found nan, allowed: a finite number"), std::string::npos) << message;
 }
 
-TEST_F(SurfaceMetrics, CompareNoVolumeWithItself) {
-  MetricPlace start;
-  start.time_s = 0;
-  EXPECT_THROW(measure("pieces_volume", start), NoNumber);
-}
+TEST_F(SurfaceMetrics, CompareNoVolumeWithItself) { EXPECT_THROW(measure("pieces_volume", {.time_s = 0}), NoNumber); }
 
 TEST_F(SurfaceMetrics, LookAtTheFrameThatIsAskedFor) {
-  MetricPlace start;
-  start.time_s = 1;  // of frames at 0 and 3 s
+  const MetricPlace start{.time_s = 1};  // of frames at 0 and 3 s
   EXPECT_EQ(measure("cracks", start), 0);
   EXPECT_EQ(measure("second_piece", start), 0);
   EXPECT_EQ(measure("two_pieces", start), 1);
 }
 
 TEST_F(SurfaceMetrics, FindTheCracksInABoxAndTheirShare) {
-  MetricPlace top;
-  top.low_m = Vector3{-1, -1, 0.5};
+  MetricPlace top{.low_m = Vector3{-1, -1, 0.5}};
   EXPECT_DOUBLE_EQ(measure("crack_area", top), 0.3);
   top.high_m = Vector3{1, 1, 2};
   EXPECT_DOUBLE_EQ(measure("crack_area", top), 0.3);
@@ -378,7 +345,9 @@ std::string closed_books(const std::string& content, const std::vector<Booking>&
 }
 
 TEST_F(ResultsOfARun, CloseTheBooksOfEveryContentWithEveryBookingsSign) {
-  const auto drift = [&](const char* metric, const std::string& ledger) { return find_metric(metric).of_run(results(ledger), {}); };
+  const auto drift = [&](const char* metric, const std::string& ledger) {
+    return std::get<OfRun>(find_metric(metric).of)(results(ledger), {});
+  };
   EXPECT_EQ(drift("heat_drift", closed_books("heat_content_J", {{"heat_exchanged_J", 1},
                                                                 {"latent_heat_J", -1},
                                                                 {"vapour_heat_J", -1},
@@ -403,7 +372,7 @@ TEST_F(ResultsOfARun, CloseTheBooksOfEveryContentWithEveryBookingsSign) {
 
 TEST_F(ResultsOfARun, DriftAsFarAsTheyEverWereFromTheStart) {
   const Results run = results("time_s,solid_mass_kg,retired_solid_mass_kg,emitted_solid_mass_kg\n0,2,0,0\n1,5,0,0\n2,3,0,0\n");
-  EXPECT_EQ(find_metric("solid_drift").of_run(run, {}), 1.5);
+  EXPECT_EQ(std::get<OfRun>(find_metric("solid_drift").of)(run, {}), 1.5);
 }
 
 TEST_F(ResultsOfARun, TellWhatEveryColumnWasAtTheEndOrOnTheWay) {
@@ -416,28 +385,25 @@ TEST_F(ResultsOfARun, TellWhatEveryColumnWasAtTheEndOrOnTheWay) {
       {"largest_height", 7},    {"surface", 3},           {"gas_made", 5},         {"water_lost_share", 0.2},
       {"coldest", 6},           {"coldest_ever", 3},      {"hottest_ever", 95},    {"dissipated", 11},
       {"mean_temperature", 40}, {"retired_particles", 7}, {"poured_mass", 4}};
-  for (const auto& [metric, value] : all) EXPECT_DOUBLE_EQ(find_metric(metric).of_run(run, {}), value) << metric;
+  for (const auto& [metric, value] : all) EXPECT_DOUBLE_EQ(std::get<OfRun>(find_metric(metric).of)(run, {}), value) << metric;
 }
 
 TEST_F(ResultsOfARun, TellHowMuchOfTheHeightComesBack) {
   const Results run = results("time_s,height_m\n0,3\n1,4\n2,2\n3,2.5\n");
-  MetricPlace place;
-  place.time_s = 2;
-  EXPECT_DOUBLE_EQ(find_metric("springback").of_run(run, place), 0.5) << "of what was there at the start";
-  place.reference_time_s = 1;
-  EXPECT_DOUBLE_EQ(find_metric("springback").of_run(run, place), 0.25);
-  place.reference_time_s = 2;
-  EXPECT_FALSE(std::isfinite(find_metric("springback").of_run(run, place))) << "no height was lost";
+  const auto springback = [&](const MetricPlace& place) { return std::get<OfRun>(find_metric("springback").of)(run, place); };
+  EXPECT_DOUBLE_EQ(springback({.time_s = 2}), 0.5) << "of what was there at the start";
+  EXPECT_DOUBLE_EQ(springback({.reference_time_s = 1, .time_s = 2}), 0.25);
+  EXPECT_FALSE(std::isfinite(springback({.reference_time_s = 2, .time_s = 2}))) << "no height was lost";
 }
 
 TEST_F(ResultsOfARun, TellGainsAndWhatTheBooksDoNotExplain) {
   const Results run = results(
       "time_s,volume_m3,solid_mass_kg,retired_solid_mass_kg,emitted_solid_mass_kg,emitted_volume_m3\n0,1,2,0,0,0\n1,2,1.5,0.5,0,0\n"
       "2,3,2.25,0.5,0.5,1\n");
-  EXPECT_DOUBLE_EQ(find_metric("solid_drift").of_run(run, {}), 0.25 / 2.5);
-  EXPECT_EQ(find_metric("volume_gain").of_run(run, {}), 1.5);
+  EXPECT_DOUBLE_EQ(std::get<OfRun>(find_metric("solid_drift").of)(run, {}), 0.25 / 2.5);
+  EXPECT_EQ(std::get<OfRun>(find_metric("volume_gain").of)(run, {}), 1.5);
   const Results nothing = results("time_s,volume_m3,emitted_volume_m3\n0,0,0\n1,1,0\n");
-  EXPECT_FALSE(std::isfinite(find_metric("volume_gain").of_run(nothing, {}))) << "a gain over nothing";
+  EXPECT_FALSE(std::isfinite(std::get<OfRun>(find_metric("volume_gain").of)(nothing, {}))) << "a gain over nothing";
 }
 
 }  // namespace

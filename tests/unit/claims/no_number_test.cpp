@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <sstream>
 
 #include "analysis/claims/claim.h"
 #include "solver/io/frames.h"
@@ -23,35 +24,13 @@ struct Body {
   std::vector<FrameData> frames;
 
   Body() {
-    for (const char* name : {"volume_m3",
-                             "height_m",
-                             "extent_x_m",
-                             "extent_y_m",
-                             "surface_m2",
-                             "skin_area_m2",
-                             "water_evaporated_kg",
-                             "water_mass_kg",
-                             "gas_mol",
-                             "temperature_min_C",
-                             "temperature_mean_C",
-                             "temperature_max_C",
-                             "dissipated_J",
-                             "solid_mass_kg",
-                             "retired_solid_mass_kg",
-                             "emitted_solid_mass_kg",
-                             "retired_water_mass_kg",
-                             "emitted_water_mass_kg",
-                             "heat_content_J",
-                             "heat_exchanged_J",
-                             "latent_heat_J",
-                             "vapour_heat_J",
-                             "expansion_heat_J",
-                             "water_remap_heat_J",
-                             "retired_heat_content_J",
-                             "emitted_heat_content_J",
-                             "emitted_volume_m3",
-                             "retired_particles"})
-      columns.emplace_back(name);
+    std::istringstream names(
+        "volume_m3 height_m extent_x_m extent_y_m surface_m2 skin_area_m2 water_evaporated_kg water_mass_kg gas_mol "
+        "temperature_min_C temperature_mean_C temperature_max_C dissipated_J solid_mass_kg retired_solid_mass_kg "
+        "emitted_solid_mass_kg retired_water_mass_kg emitted_water_mass_kg heat_content_J heat_exchanged_J latent_heat_J "
+        "vapour_heat_J expansion_heat_J water_remap_heat_J retired_heat_content_J emitted_heat_content_J emitted_volume_m3 "
+        "retired_particles");
+    for (std::string name; names >> name;) columns.push_back(name);
     for (const char axis : {'x', 'y', 'z'})
       for (const char* what : {"momentum", "impulse", "water_remap_momentum", "retired_momentum", "emitted_momentum"})
         columns.push_back(fmt::format("{}_{}_kg_m_per_s", what, axis));
@@ -61,6 +40,9 @@ struct Body {
       rows.push_back(numbers);
       frames.push_back(frame(row));
     }
+  }
+  std::size_t at(const char* column) const {
+    return static_cast<std::size_t>(std::find(columns.begin(), columns.end(), column) - columns.begin());
   }
   static FrameData frame(int number) {
     FrameData data;
@@ -127,17 +109,16 @@ Fracture torn() {
 
 /// A place that every metric accepts; those of surfaces look at a box, too.
 MetricPlace place_for(const Metric& metric) {
-  MetricPlace place;
-  place.from_m = Vector3{0, 1, 0};
-  place.to_m = Vector3{3.9, 1, 0};
-  place.point_m = Vector3{1, 1, 0};
-  place.low_m = Vector3{-0.5, -2, -2};
-  place.high_m = Vector3{2.5, 2, 2};
-  place.radius_m = 2.5;
-  place.temperature_C = std::string_view(metric.name) == "heating_window" ? 60 : 70;
-  place.dried_share = 0.5;
-  place.material = std::string("batter");
-  place.softened_to = 0.5;
+  MetricPlace place{.from_m = Vector3{0, 1, 0},
+                    .to_m = Vector3{3.9, 1, 0},
+                    .point_m = Vector3{1, 1, 0},
+                    .low_m = Vector3{-0.5, -2, -2},
+                    .high_m = Vector3{2.5, 2, 2},
+                    .radius_m = 2.5,
+                    .temperature_C = std::string_view(metric.name) == "heating_window" ? 60 : 70,
+                    .dried_share = 0.5,
+                    .material = "batter",
+                    .softened_to = 0.5};
   if (std::string_view(metric.name) == "springback") place.time_s = 1;
   if (std::string_view(metric.name) == "doming") place.point_m = Vector3{2.4, -0.45, 0};  // particles in all rings around it
   return place;
@@ -151,7 +132,7 @@ class NoMetric : public testing::Test {
     kept_ = body.frames;
     std::map<std::string, Measurement> all;
     for (const Metric& metric : all_metrics())
-      if (metric.of_run) all.emplace(metric.name, measure(metric, run, place_for(metric)));
+      if (metric.is_of_run()) all.emplace(metric.name, measure(metric, run, place_for(metric)));
     return all;
   }
   /// Those whose number is another one now, but is a number.
@@ -173,7 +154,7 @@ class NoMetric : public testing::Test {
 TEST_F(NoMetric, LacksANumberOfAWholeBody) {
   for (const auto& [name, m] : measured(Body())) EXPECT_TRUE(m.is_number()) << name << ": " << m.problem;
   for (const Metric& metric : all_metrics())
-    EXPECT_TRUE(!metric.of_surface || measure(metric, torn(), place_for(metric)).is_number()) << metric.name;
+    EXPECT_TRUE(metric.is_of_run() || measure(metric, torn(), place_for(metric)).is_number()) << metric.name;
 }
 
 TEST_F(NoMetric, HasANumberWhereAllAreNaN) {
@@ -234,7 +215,7 @@ TEST_F(NoMetric, OfASurfacePassesOverNaN) {
   };
   for (std::size_t i = 0; i < changes.size(); ++i)
     for (const Metric& metric : all_metrics()) {
-      if (!metric.of_surface) continue;
+      if (metric.is_of_run()) continue;
       Fracture fracture = torn();
       changes[i](fracture);
       const Measurement m = measure(metric, fracture, place_for(metric));
@@ -248,7 +229,7 @@ TEST_F(NoMetric, IsMeasuredOfAnEmptySurface) {
   for (const Change& change : {Change([](Fracture& f) { f.frames.clear(); }), Change([](Fracture& f) { f.frames[1].pieces.clear(); }),
                                Change([](Fracture& f) { f.frames[1].volume_m3 = 0; }), Change([](Fracture& f) { f.mesh_volume_m3 = 0; })})
     for (const Metric& metric : all_metrics()) {
-      if (!metric.of_surface) continue;
+      if (metric.is_of_run()) continue;
       Fracture fracture = torn();
       change(fracture);
       EXPECT_FALSE(measure(metric, fracture, place_for(metric)).is_number()) << metric.name;
@@ -261,10 +242,10 @@ TEST_F(NoMetric, IsMeasuredBeyondTheLastFrame) {
     MetricPlace place = place_for(metric);
     const auto number_at = [&](double time) {
       place.time_s = time;
-      return (metric.of_run ? measure(metric, run, place) : measure(metric, torn(), place)).is_number();
+      return (metric.is_of_run() ? measure(metric, run, place) : measure(metric, torn(), place)).is_number();
     };
     if (std::find(metric.knows.begin(), metric.knows.end(), "time_s") == metric.knows.end()) continue;
-    const double last = metric.of_run ? 2 : 1;
+    const double last = metric.is_of_run() ? 2 : 1;
     EXPECT_TRUE(number_at(last + 0.5)) << metric.name << ": half a frame";
     EXPECT_FALSE(number_at(last + 0.51)) << metric.name;
     EXPECT_FALSE(number_at(-0.51)) << metric.name;
@@ -285,8 +266,7 @@ TEST_F(NoMetric, TellsAGainOrADriftOfARunThatHasNotBegun) {
 
 TEST_F(NoMetric, LeavesUnsaidWhereItMetNaN) {
   Body body;
-  body.rows[1][static_cast<std::size_t>(std::find(body.columns.begin(), body.columns.end(), "heat_content_J") - body.columns.begin())] =
-      k_nan;
+  body.rows[1][body.at("heat_content_J")] = k_nan;
   std::get<std::vector<float>>(body.frames[2].columns[0].values)[17] = std::nanf("");
   const auto all = measured(body);
   EXPECT_EQ(all.at("heat_drift").problem, (folder_ / "ledger.csv").string() + ":3: heat_content_J: found nan, allowed: a finite number");
@@ -296,20 +276,14 @@ TEST_F(NoMetric, LeavesUnsaidWhereItMetNaN) {
 
 TEST_F(NoMetric, TakesANegativeHeatContentForASmallDrift) {
   Body body;
-  const auto at = [&](const char* name) {
-    return static_cast<std::size_t>(std::find(body.columns.begin(), body.columns.end(), name) - body.columns.begin());
-  };
-  for (auto& row : body.rows) std::fill(row.begin() + 1, row.end(), 0), row[at("heat_content_J")] = -100;
-  body.rows[2][at("heat_content_J")] = -150;
+  for (auto& row : body.rows) std::fill(row.begin() + 1, row.end(), 0), row[body.at("heat_content_J")] = -100;
+  body.rows[2][body.at("heat_content_J")] = -150;
   EXPECT_DOUBLE_EQ(measured(body).at("heat_drift").value, 50. / 150) << "the content is below zero at temperatures below 0 C";
 }
 
 TEST_F(NoMetric, LeadsByNothingBetweenOneParticleAndItself) {
   const Results run = Body().written(folder_.path());
-  MetricPlace place;
-  place.from_m = Vector3{0, 1, 0};
-  place.to_m = Vector3{0.01, 1, 0};
-  const Measurement m = measure(find_metric("temperature_lead"), run, place);
+  const Measurement m = measure(find_metric("temperature_lead"), run, {.from_m = Vector3{0, 1, 0}, .to_m = Vector3{0.01, 1, 0}});
   EXPECT_NE(m.problem.find("found one particle nearest to from_m and to_m, allowed: two"), std::string::npos) << m.problem;
 }
 

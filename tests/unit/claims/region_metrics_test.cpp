@@ -20,18 +20,9 @@ class RegionMetrics : public WrittenRun {
                    "time_s\n0\n1\n2\n4\n") {}
 };
 
-MetricPlace unit_box() {
-  MetricPlace place;
-  place.low_m = Vector3{0, 0, 0};
-  place.high_m = Vector3{1, 1, 1};
-  return place;
-}
+MetricPlace unit_box() { return {.low_m = Vector3{0, 0, 0}, .high_m = Vector3{1, 1, 1}}; }
 
-MetricPlace hot(double temperature_C) {
-  MetricPlace place;
-  place.temperature_C = temperature_C;
-  return place;
-}
+MetricPlace hot(double temperature_C) { return {.temperature_C = temperature_C}; }
 
 TEST_F(RegionMetrics, FindTheShareThatIsInABoxNow) {
   frame(0, {{1, {0.5, 0.5, 0.5}}, {2, {2, 0.5, 0.5}}, {3, {0.5, 0.5, 3}}});
@@ -127,17 +118,15 @@ TEST_F(RegionMetrics, FindWhatHasMeltedOfOneMaterial) {
             {3, {0, 0, 0}, 30, 75, 4, 1, 1},     // 4000 Pa for ever: it has been above theta_4
             {4, {0, 0, 0}, 10, 69, 8, 1, 1},     // 2250 Pa: hot below theta_4 it was, and it is cold again
             {5, {0, 0, 0}, 30, 30, 64, 1, 0}});  // batter
-  MetricPlace place;
-  place.material = std::string("chocolate");
-  place.softened_to = 0.1;
+  MetricPlace place{.material = "chocolate", .softened_to = 0.1};
   EXPECT_DOUBLE_EQ(measure("softened_share", place), 1.0 / 15);
   place.softened_to = 0.15;
   EXPECT_DOUBLE_EQ(measure("softened_share", place), 3.0 / 15);
-  place.material = std::string("batter");
+  place.material = "batter";
   EXPECT_DOUBLE_EQ(measure("softened_share", place), 0) << "2 Pa from first to last";
-  place.material = std::string("water");
+  place.material = "water";
   EXPECT_THROW(measure("softened_share", place), InputError);
-  place.material = std::string("cocoa");
+  place.material = "cocoa";
   const std::string message = message_of<InputError>([&] { measure("softened_share", place); });
   EXPECT_NE(message.find("found no material 'cocoa', allowed: batter, chocolate, water"), std::string::npos) << message;
 }

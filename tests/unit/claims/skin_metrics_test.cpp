@@ -36,11 +36,7 @@ class SkinMetrics : public WrittenRun {
   }
 };
 
-MetricPlace at(double time_s) {
-  MetricPlace place;
-  place.time_s = time_s;
-  return place;
-}
+MetricPlace at(double time_s) { return {.time_s = time_s}; }
 
 TEST_F(SkinMetrics, CompareTheSkinWithTheVolumeInIt) {
   EXPECT_DOUBLE_EQ(measure("skin_area_gain", {}), 0.75);
@@ -80,9 +76,7 @@ TEST_F(SkinMetrics, CompareTheSkinsWaterWithThatOfWhatStartedInside) {
   skin(4, "saturation", 0.2, 0.5);
   flesh(0, {0, 0, 0, 5, 0, 0, 6, 0, 0}, {1, 1, 1}, {7, 8, 9});
   flesh(4, {0, 0, 0, 0, 0, 0, 5, 0, 0}, {0.6f, 0.8f, 0.1f}, {9, 8, 7});  // those that are inside now started elsewhere
-  MetricPlace core;
-  core.low_m = Vector3{4, -1, -1};
-  core.high_m = Vector3{7, 1, 1};
+  MetricPlace core{.low_m = Vector3{4, -1, -1}, .high_m = Vector3{7, 1, 1}};
   EXPECT_NEAR(measure("skin_dryness", core), (0.2 * 8 + 0.5) / 9 / 0.7, 1e-6);
   core.low_m = Vector3{10, 10, 10};
   core.high_m = Vector3{11, 11, 11};
@@ -111,6 +105,42 @@ TEST_F(BentDrying, IsLessStraight) {
   const double all = mean * mean + (a - mean) * (a - mean) + (b - mean) * (b - mean);
   EXPECT_NEAR(measure("drying_straightness", {}), b * b / 2 / all, 1e-12);
   EXPECT_LT(measure("drying_straightness", {}), 0.9);
+}
+
+/// A ball of 30 cm that became an egg, with waves cos(10 phi) sin^10(theta): a spherical harmonic of degree 10, of wave number sqrt(110) /
+/// R.
+TEST_F(SkinMetrics, CountTheWavelengthOfFoldsAtRest) {
+  constexpr int k_rings = 60, k_spokes = 120;
+  constexpr double k_radius = 0.3;
+  const auto ball = [&](int number, auto along_normal) {
+    Mesh mesh;
+    const auto add = [&](double theta, double phi) {
+      const double r = k_radius + along_normal(theta, phi);
+      mesh.points.insert(mesh.points.end(),
+                         {r * std::sin(theta) * std::cos(phi), r * std::sin(theta) * std::sin(phi), r * std::cos(theta)});
+    };
+    const double pi = std::acos(-1);
+    add(0, 0);
+    for (int i = 1; i < k_rings; ++i)
+      for (int j = 0; j < k_spokes; ++j) add(pi * i / k_rings, 2 * pi * j / k_spokes);
+    add(pi, 0);
+    const auto vertex = [&](int i, int j) -> std::int64_t {
+      return i == 0 ? 0 : i == k_rings ? 1 + (k_rings - 1) * k_spokes : 1 + (i - 1) * k_spokes + j % k_spokes;
+    };
+    for (int i = 0; i < k_rings; ++i)
+      for (int j = 0; j < k_spokes; ++j) {
+        if (i > 0) mesh.cells.insert(mesh.cells.end(), {vertex(i, j), vertex(i + 1, j), vertex(i, j + 1)});
+        if (i + 1 < k_rings) mesh.cells.insert(mesh.cells.end(), {vertex(i, j + 1), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      }
+    mesh.time_s = number;
+    write_mesh(folder_ / "skins" / frame_name(number), mesh);
+  };
+  ball(0, [](double, double) { return 0; });
+  ball(4, [](double theta, double phi) {
+    const double z = std::cos(theta);
+    return -0.05 + 0.03 * z * z * z + 0.002 * std::pow(std::sin(theta), 10) * std::cos(10 * phi);
+  });
+  EXPECT_NEAR(measure("fold_wavelength", {}), 2 * std::acos(-1) * k_radius / std::sqrt(110), 0.002);
 }
 
 }  // namespace

@@ -54,7 +54,9 @@ class WrittenRun : public testing::Test {
                   {"material", "1", material},
                   {"id", "1", ids}}});
   }
-  double measure(const char* metric, const MetricPlace& place) const { return find_metric(metric).of_run(Results(folder_.path()), place); }
+  double measure(const char* metric, const MetricPlace& place) const {
+    return std::get<OfRun>(find_metric(metric).of)(Results(folder_.path()), place);
+  }
   const TemporaryFolder folder_;
 };
 

@@ -22,14 +22,13 @@ class PoreGas : public testing::Test {
       "initial_porosity = 0.3\ninitial_temperature_C = 10\nyield_stress_Pa = 1\n"
       "production_mol_per_kgs = 0.03\nleavener_mol_per_m3 = 2\n");
   const Leavening::Constants<Real> k{scene, scene.materials[0]};
-  static constexpr double p_ref = 101325, theta_0K = 283.15;
+  static constexpr double p_ref = 101325;
 
   /// Overpressure of the pores, J p [Pa].
-  double pressure(double J, double theta, double nu = 0) const {
+  double pressure(double J, double theta) const {
     ParticleOfEverything<Real> p;
     p[field::J] = lanes<Real>(static_cast<Real>(J));
     p[field::theta] = lanes<Real>(static_cast<Real>(theta));
-    p[field::nu] = lanes<Real>(static_cast<Real>(nu));
     Leavening::stress(p, k);
     for (int i = 1; i < 3; ++i) EXPECT_EQ(p[field::tau][i][0], p[field::tau][0][0]);
     for (int i = 3; i < 6; ++i) EXPECT_EQ(p[field::tau][i][0], Real(0));
@@ -38,8 +37,6 @@ class PoreGas : public testing::Test {
 };
 using Reals = testing::Types<float, double>;
 TYPED_TEST_SUITE(PoreGas, Reals);
-
-TYPED_TEST(PoreGas, PushesAgainstNothingAtTheStart) { EXPECT_NEAR(this->pressure(1, 10), 0, 8 * this->eps * this->p_ref); }
 
 TYPED_TEST(PoreGas, PushesAgainstNothingAtTheStartHoweverDenseOrLightTheDough) {
   for (const char* porosity : {"1e-3", "0.015", "0.5", "0.99"}) {
@@ -55,53 +52,8 @@ TYPED_TEST(PoreGas, PushesAgainstNothingAtTheStartHoweverDenseOrLightTheDough) {
   }
 }
 
-TYPED_TEST(PoreGas, AClosedPoreHeatedAtFixedVolumeFollowsTheTemperatureRatio) {
-  for (const double theta : {-20.0, 50.0, 100.0, 400.0})
-    EXPECT_NEAR(this->pressure(1, theta) + this->p_ref, this->p_ref * (theta + 273.15) / this->theta_0K, 16 * this->eps * 3 * this->p_ref)
-        << theta;
-}
-
-TYPED_TEST(PoreGas, HeatedFreelyItsPoresGrowWithTheTemperature) {
-  for (const double theta : {50.0, 100.0, 400.0}) {
-    const double pores = 0.3 * (theta + 273.15) / this->theta_0K;  // of the initial volume, where the overpressure is gone
-    EXPECT_NEAR(this->pressure(0.7 + pores, theta), 0, 32 * this->eps * this->p_ref) << theta;
-  }
-}
-
-TYPED_TEST(PoreGas, CarbonDioxideTakesTheRoomOfAnIdealGas) {
-  const double nu = 30, pores = (this->p_ref * 0.3 / this->theta_0K + 8.314 * nu) * 373.15 / this->p_ref;
-  EXPECT_NEAR(this->pressure(0.7 + pores, 100, nu), 0, 64 * this->eps * this->p_ref);
-}
-
-TYPED_TEST(PoreGas, ASofterAtmosphereLeavesTheEquilibriumVolume) {
-  const Scene soft = scene_of_everything("initial_porosity = 0.3\ninitial_temperature_C = 10\nyield_stress_Pa = 1\n",
-                                         "[leavening]\nreference_pressure_Pa = 4000\n");
-  const Leavening::Constants<TypeParam> k(soft, soft.materials[0]);
-  ParticleOfEverything<TypeParam> p;
-  const double nu = 30, pores = (this->p_ref * 0.3 / this->theta_0K + 8.314 * nu) * 373.15 / this->p_ref;
-  p[field::J] = lanes<TypeParam>(static_cast<TypeParam>(0.7 + pores));
-  p[field::theta] = lanes<TypeParam>(100);
-  p[field::nu] = lanes<TypeParam>(static_cast<TypeParam>(nu));
-  Leavening::stress(p, k);
-  EXPECT_NEAR(static_cast<double>(p[field::tau][0][0]), 0, 64 * this->eps * 4000);
-}
-
 TYPED_TEST(PoreGas, PressureAndStiffnessStayFiniteWhenThePoresAreGone) {
   for (const double J : {1e-3, 0.1, 0.69999, 0.7, 100.0}) EXPECT_TRUE(std::isfinite(this->pressure(J, 100))) << J;
-}
-
-TYPED_TEST(PoreGas, StiffnessIsTheSlopeOfThePressure) {
-  const double J = 1.2, h = 1e-3;
-  ParticleOfEverything<TypeParam> p;
-  p[field::J] = lanes<TypeParam>(static_cast<TypeParam>(J));
-  p[field::theta] = lanes<TypeParam>(60);
-  Leavening::stress(p, this->k);
-  // d(J p)/d ln J by differences in double, less the part J p that wants to grow with J and never stiffens
-  const double slope = [&] {
-    const auto Jp = [&](double at) { return at * (this->p_ref * 0.3 / this->theta_0K * 333.15 / (at - 0.7) - this->p_ref); };
-    return -(Jp(J * (1 + h)) - Jp(J * (1 - h))) / (2 * h) + Jp(J);
-  }();
-  EXPECT_NEAR(static_cast<double>(p.stiffness[0]), slope, 1e-4 * slope);  // differences: h^2 (J/pores)^2
 }
 
 TYPED_TEST(PoreGas, FiniteLeavenerKeepsWhatIsMadePlusWhatIsLeft) {
@@ -110,7 +62,7 @@ TYPED_TEST(PoreGas, FiniteLeavenerKeepsWhatIsMadePlusWhatIsLeft) {
   p[field::c] = lanes<TypeParam>(1);
   BooksOfEverything<TypeParam> books;
   Step<TypeParam> step;
-  step.dt = TypeParam(0.01);
+  step.baking_dt = TypeParam(0.01);
   for (int i = 1; i <= 200; ++i) {
     Leavening::gather(p, 0, this->k, step, books);
     const double made = static_cast<double>(p[field::nu][0]), left = static_cast<double>(p[field::c][0]);

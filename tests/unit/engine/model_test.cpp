@@ -40,8 +40,7 @@ constexpr Cost k_costs[] = {
 };
 
 Scene scene_with(const char* effects, const char* motion) {
-  Dough dough;
-  dough.effects = effects;
+  Dough dough(effects);
   dough.motion = motion;
   return dough.scene();
 }

@@ -126,6 +126,62 @@ TEST_F(FigureFile, HasObjectsOfRunsWithAPictureThatStandsForThem) {
   EXPECT_THROW(read(with("view = \"side\"\npicture = \"both\"\nof = []\n").c_str()), InputError);
 }
 
+TEST_F(FigureFile, HasMontagesOfItsPictures) {
+  const std::string before = k_figure;
+  const auto with = [&](const std::string& rows) {
+    return before + "[[montage]]\nname = \"all\"\nshows = \"s\"\ncell_width_px = 64\ncell_height_px = 48\nrows = " + rows + "\n";
+  };
+  EXPECT_EQ(read(with("[\"both\", \"both\"]")).montages.at(0).rows.size(), 2u);
+  const auto error = [&](const std::string& rows) { return message_of<InputError>([&] { read(with(rows)); }); };
+  EXPECT_NE(error("\"both bohth\"").find("montage.0.rows: unknown picture 'bohth'; did you mean 'both'?"), std::string::npos);
+  EXPECT_NE(error("[\"both both\", \"both\"]").find("montage.0.rows: found rows of 2 and 1 cells"), std::string::npos);
+  EXPECT_NE(error("\"both\"\n[[montage]]\nname = \"both\"\nshows = \"s\"\ncell_width_px = 64\ncell_height_px = 48\nrows = \"both\"")
+                .find("montage.1.name: found 'both' again"),
+            std::string::npos)
+      << "its file would be that of the picture";
+}
+
+/// A figure with one picture, of what `of` names in the loaves' figure.
+std::string showing(const std::string& of, const std::string& metric = "tile_claims_hold") {
+  return "title = \"Tiles\"\nshows = \"s\"\n[[picture]]\nname = \"tile\"\nshows = \"s\"\nfigure = \"loaves\"\nview = \"side\"\nof = " + of +
+         "\n[[claim]]\nmetric = \"" + metric + "\"\nat_least = 1\nkind = \"published\"\nwhy = \"w\"\n";
+}
+
+TEST_F(FigureFile, ShowsRunsOfAnotherFigureWithWhatIsClaimedOfThem) {
+  ComputedNames names;
+  std::string more;
+  names.other = [&](const std::string& item) {
+    if (item != "loaves") throw InputError("unknown figure '" + item + "'");
+    return FigureFile::read(k_figure + more);
+  };
+  const auto shown = [&](const std::string& of) { return *read(showing(of), names).pictures.at(0).part; };
+  const Figure plain = shown("\"plain\"");
+  EXPECT_EQ(plain.runs.size(), 1u) << "nothing is claimed of it but that another is greater";
+  EXPECT_EQ(plain.claims.size(), 0u);
+  const Figure slit = shown("[\"slit.skin\"]");
+  EXPECT_EQ(slit.runs.size(), 2u) << "the plain one is compared with";
+  EXPECT_EQ(slit.surfaces.size(), 1u);
+  EXPECT_EQ(slit.claims.size(), 2u) << "of the run and of its surface";
+  EXPECT_TRUE(slit.pictures.empty());
+
+  more = "[[claim]]\nmetric = \"volume_gain\"\nof = [\"plain\", \"slit\"]\nat_least = 1\nkind = \"published\"\nwhy = \"w\"\n";
+  EXPECT_EQ(shown("\"plain\"").claims.at(0).of, std::vector<std::string>{"plain"}) << "each is judged by itself";
+  EXPECT_EQ(shown("\"plain\"").runs.size(), 1u);
+  more.replace(more.find("at_least = 1"), 12, "order = \"rising\"");
+  EXPECT_EQ(shown("\"plain\"").claims.at(0).of.size(), 2u) << "an order needs both";
+  EXPECT_EQ(shown("\"plain\"").runs.size(), 2u);
+
+  const auto error = [&](const std::string& text) { return message_of<InputError>([&] { read(text, names); }); };
+  EXPECT_NE(error(showing("\"plan\"")).find("picture.0.of: unknown run, surface or skin 'plan'; did you mean 'plain'?"), std::string::npos);
+  EXPECT_NE(error(showing("\"plain\"", "tile_claims")).find("unknown number 'tile_claims'; did you mean 'tile_claims_hold'?"),
+            std::string::npos);
+  std::string other = showing("\"plain\"");
+  other.replace(other.find("loaves"), 6, "leaves");
+  EXPECT_NE(error(other).find("figure.toml:6: picture.0.figure: unknown figure 'leaves'"), std::string::npos);
+  EXPECT_NE(message_of<InputError>([&] { read(showing("\"plain\"")); }).find("picture.0.figure: allowed: in the figure.toml of an item"),
+            std::string::npos);
+}
+
 TEST_F(FigureFile, RefusesClaimsThatCannotBeMeasured) {
   EXPECT_EQ(error_of("metric = \"pieces\"\nof = \"torn\"", "metric = \"pieces\"\nof = \"slit\""),
             "figure.toml:43: claim.1.of: found 'slit', a run, allowed: a surface, of which pieces is measured");

@@ -33,6 +33,11 @@ TEST(Moments, AreCloserTogetherWhereABodyChanges) {
   EXPECT_EQ(std::adjacent_find(rows.begin(), rows.end()), rows.end()) << "each once";
 }
 
+TEST(Moments, BeginWhereAsked) {
+  EXPECT_EQ(moments({steadily(101)}, 5, 1), (std::vector<int>{1, 26, 51, 75, 100}));
+  EXPECT_EQ(moments({steadily(3)}, 12, 2), (std::vector<int>{2}));
+}
+
 TEST(Moments, AreAllRowsWhereThereAreFew) {
   EXPECT_EQ(moments({steadily(3)}, 12), (std::vector<int>{0, 1, 2}));
   EXPECT_EQ(moments({steadily(1)}, 12), (std::vector<int>{0}));

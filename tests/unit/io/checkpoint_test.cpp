@@ -60,12 +60,6 @@ TEST_F(ACheckpoint, ComesBackBitForBit) {
   EXPECT_EQ(in.value<std::string>("random"), "state 1 2 3");
 }
 
-TEST_F(ACheckpoint, KnowsWhichArraysItHas) {
-  const CheckpointReader in(path_);
-  EXPECT_TRUE(in.has_array("position"));
-  EXPECT_FALSE(in.has_array("velocity"));
-}
-
 TEST_F(ACheckpoint, HasTheSameBytesWhenWrittenTwice) {
   write_example(scratch_ / "again.h5");
   EXPECT_EQ(contents(path_), contents(scratch_ / "again.h5"));

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 
-#include "solver/io/atomic_file.h"
 #include "solver/scene/scene.h"
 #include "tests/unit/io/files.h"
 

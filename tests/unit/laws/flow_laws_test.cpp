@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 
 #include "solver/effects/plasticity.h"
 #include "solver/engine/physics.h"
@@ -141,55 +140,6 @@ TYPED_TEST(FlowLaw, PlasticVolumeTakesWhatTheElasticVolumeLoses) {
     const Flow<TypeParam> flow;
     const double lost = trace(flow.before) - trace(flow.after);
     expect_near(flow.J_P_after / flow.J_P_before, std::exp(lost), 64 * TestFixture::eps * std::exp(std::abs(lost)));
-  }));
-}
-
-/// Curves of fig. 8 with random marks.
-template <class Real>
-struct Curves {
-  using L = Law<Real>;
-  Plasticity::Constants<Real> k = Flow<Real>::constants();
-  double theta[4], tau_y[4], eta[4];
-
-  Curves() {
-    for (int i = 0; i < 4; ++i) {
-      theta[i] = i == 0 ? between(-30, 30, "theta_1") : theta[i - 1] + between(1, 50, "to the next");
-      tau_y[i] = between(0, 1000, "tau_y"), eta[i] = between(0, 1000, "eta");
-      k.theta[i] = static_cast<Real>(theta[i]), k.tau_y[i] = static_cast<Real>(tau_y[i]), k.eta[i] = static_cast<Real>(eta[i]);
-    }
-    for (int i = 0; i < 3; ++i) {
-      k.tau_y_slope[i] = (k.tau_y[i + 1] - k.tau_y[i]) / (k.theta[i + 1] - k.theta[i]);
-      k.eta_slope[i] = (k.eta[i + 1] - k.eta[i]) / (k.theta[i + 1] - k.theta[i]);
-    }
-  }
-  std::pair<double, double> at(double theta_now, double peak) const {
-    Lanes<Real> tau, viscosity;
-    Plasticity::curves(L::all(theta_now), L::all(peak), k, tau, viscosity);
-    return {L::first(tau), L::first(viscosity)};
-  }
-};
-
-TYPED_TEST(FlowLaw, StrengthLiesOnTheStraightLineBetweenItsMarks) {
-  EXPECT_TRUE(rc::check([] {
-    const Curves<TypeParam> curves;
-    const int piece = *rc::gen::inRange(0, 3).as("piece");
-    const double share = between(0, 0.999, "share");
-    const double theta = (1 - share) * curves.theta[piece] + share * curves.theta[piece + 1];
-    const auto [tau_y, eta] = curves.at(theta, theta);
-    // temperatures to 200 C are known to 200 epsilon; the steepest slope is 1000 a degree
-    const double bound = 1000 * 400 * TestFixture::eps;
-    expect_near(tau_y, (1 - share) * curves.tau_y[piece] + share * curves.tau_y[piece + 1], bound);
-    expect_near(eta, (1 - share) * curves.eta[piece] + share * curves.eta[piece + 1], bound);
-  }));
-}
-
-TYPED_TEST(FlowLaw, StrengthIsTheLastMarksOnceGelatinised) {
-  EXPECT_TRUE(rc::check([] {
-    const Curves<TypeParam> curves;
-    const double peak = curves.theta[3] + between(0.01, 100, "beyond"), theta = peak - between(0, 300, "cooled by");
-    const auto [tau_y, eta] = curves.at(theta, peak);
-    expect_near(tau_y, curves.tau_y[3], 3000 * 8 * TestFixture::eps);
-    expect_near(eta, curves.eta[3], 3000 * 8 * TestFixture::eps);
   }));
 }
 

@@ -105,7 +105,7 @@ TYPED_TEST(PoreLaw, LeavenerIsConservedHoweverLongTheStep) {
     p[field::c] = TestFixture::all(share);
     Report<TypeParam> report{};
     Step<TypeParam> step;
-    step.dt = static_cast<TypeParam>(decades(-6, 6, "dt"));
+    step.baking_dt = static_cast<TypeParam>(decades(-6, 6, "dt"));
     const Leavening::Constants<TypeParam> k(dough.scene, dough.scene.materials[0]);
     const int steps = *rc::gen::inRange(1, 20).as("steps");
     for (int i = 0; i < steps; ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What holds for every set of broken edges of every mesh.
 #include <algorithm>
+#include <numeric>
 #include <queue>
 #include <set>
 
@@ -63,9 +64,7 @@ std::size_t count_pieces(const Topology& topology, const Broken& broken) {
 }
 
 double total_volume(const std::vector<Piece>& pieces) {
-  double sum = 0;
-  for (const Piece& piece : pieces) sum += piece.volume_m3;
-  return sum;
+  return std::accumulate(pieces.begin(), pieces.end(), 0.0, [](double sum, const Piece& piece) { return sum + piece.volume_m3; });
 }
 
 TEST(FractureLaw, EveryPieceIsClosedAndTheVolumeIsKept) {
@@ -77,7 +76,7 @@ TEST(FractureLaw, EveryPieceIsClosedAndTheVolumeIsKept) {
     const MaterialShape shape = material_shape(topology, surface, passes);
     const std::vector<Piece> found = take_census(surface, pieces(topology, broken), shape.points);
     RC_ASSERT(std::all_of(found.begin(), found.end(), [](const Piece& piece) { return piece.closed; }));
-    expect_near(total_volume(found), volume_of(topology.mesh), 1e-12);
+    expect_near(total_volume(found), volume(topology.mesh), 1e-12);
     if (passes == 0) {  // each piece has the volumes of its vertices
       const std::vector<double> volumes = vertex_volumes(topology.mesh);
       std::vector<double> expected(found.size(), 0);

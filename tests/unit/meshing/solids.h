@@ -6,41 +6,18 @@
 
 #include "meshing/tets/delaunay.h"
 #include "meshing/tets/tet_mesh.h"
-#include "solver/boundary/shapes.h"
+#include "tests/unit/boundary/sampling.h"
 
 namespace bake {
 
-inline ShapePtr ball(double radius = 0.1) {
-  Sphere sphere;
-  sphere.radius_m = radius;
-  return std::make_shared<Sphere>(sphere);
-}
-
-inline ShapePtr brick(const Vector3& half = {0.1, 0.08, 0.06}) {
-  Box box;
-  box.half_extents_m = half;
-  return std::make_shared<Box>(box);
-}
-
-inline ShapePtr below(double z) {
-  HalfSpace half;
-  half.point_m = {0, 0, z};
-  return std::make_shared<HalfSpace>(half);
-}
+inline ShapePtr ball(double radius = 0.1) { return make_sphere({0, 0, 0}, radius); }
+inline ShapePtr brick(const Vector3& half = {0.1, 0.08, 0.06}) { return make_box({0, 0, 0}, half); }
 
 /// A loaf as that of figure 15 with one slit: creases all around the bottom and the slit, whose ends run out to nothing.
 inline ShapePtr slit_loaf() {
-  Superellipsoid loaf;
-  loaf.half_axes_m = {0.5, 0.27, 0.24};
-  loaf.plan_exponent = 2.5;
-  loaf.profile_exponent = 2.2;
-  HalfSpace above;
-  above.point_m = {0, 0, -0.06};
-  above.outward_normal = {0, 0, -1};
-  Ellipsoid slit;
-  slit.half_axes_m = {0.035, 0.22, 0.12};
-  return make_difference(make_intersection({std::make_shared<Superellipsoid>(loaf), std::make_shared<HalfSpace>(above)}),
-                         {make_transformed(std::make_shared<Ellipsoid>(slit), 1, {0, 0, 35}, {0, 0, 0.25})});
+  const ShapePtr slit = make_transformed(make_ellipsoid({0, 0, 0}, {0.035, 0.22, 0.12}), 1, {0, 0, 35}, {0, 0, 0.25});
+  return make_difference(make_intersection({make_superellipsoid({0.5, 0.27, 0.24}, 2.5, 2.2), make_half_space({0, 0, -0.06}, {0, 0, -1})}),
+                         {slit});
 }
 
 /// The Delaunay tetrahedra of points, without those that are nearly flat.
@@ -49,12 +26,6 @@ inline TetMesh delaunay_mesh(std::vector<Point> points) {
   for (const Tet& tet : delaunay_tets(mesh.points))
     if (tet_volume(mesh.points, tet) > 1e-9) mesh.tets.push_back(tet);
   return mesh;
-}
-
-inline double volume_of(const TetMesh& mesh) {
-  double sum = 0;
-  for (const Tet& tet : mesh.tets) sum += tet_volume(mesh.points, tet);
-  return sum;
 }
 
 }  // namespace bake

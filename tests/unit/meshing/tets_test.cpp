@@ -41,7 +41,7 @@ TEST_P(ASolid, IsFilledWithTheVerticesAskedForAndWatertight) {
   EXPECT_NEAR(static_cast<double>(mesh.points.size()), static_cast<double>(target), 0.02 * static_cast<double>(target));
   expect_sound(mesh);
   const double expected = volume > 0 ? volume : solid_volume(*solid);
-  EXPECT_NEAR(volume_of(mesh), expected, 0.02 * expected);
+  EXPECT_NEAR(bake::volume(mesh), expected, 0.02 * expected);
   for (const Point& x : mesh.points) ASSERT_LT(solid->distance(x), 1e-6);
 }
 
@@ -120,7 +120,7 @@ std::string error_of(const Shape& solid, std::size_t target) {
 }
 
 TEST(Tets, OfWhatCannotBeFilledAreRefused) {
-  EXPECT_EQ(error_of(*below(0), 1000), "the shape has no end: it cannot be meshed");
+  EXPECT_EQ(error_of(*make_half_space({0, 0, 0}, {0, 0, 1}), 1000), "the shape has no end: it cannot be meshed");
   const ShapePtr apart = make_intersection({ball(), make_transformed(ball(), 1, {0, 0, 0}, {1, 0, 0})});
   EXPECT_EQ(error_of(*apart, 1000), "the shape is empty: no point of its bounds is inside");
   EXPECT_EQ(error_of(*ball(), 4), "4 vertices are too few to fill the shape with tetrahedra");

@@ -6,7 +6,6 @@
 #include <libdeflate.h>
 
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "experiments/report/body.h"
@@ -91,12 +90,10 @@ TEST(PackedMesh, IsTheMeshAgainWithinHalfAStep) {
 }
 
 TEST(PackedMesh, WithoutAFieldIsRefusedByItsFile) {
-  try {
-    packed_mesh(sphere(1, 0), {}, {{"sugar", {}}}, "surface_0000.hdf");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_EQ(std::string(error.what()), "surface_0000.hdf: has no field 'sugar': make the figure again");
-  }
+  EXPECT_EQ(message_of<InputError>([] {
+              packed_mesh(sphere(1, 0), {}, {{"sugar", {}}}, "surface_0000.hdf");
+            }),
+            "surface_0000.hdf: has no field 'sugar': make the figure again");
 }
 
 TEST(PackedMesh, OfMoreThanTwoBytesCanNumberIsRefused) {
@@ -180,6 +177,22 @@ TEST_F(Bodies, ShareSizeAndRangesAndAreSmall) {
   EXPECT_EQ(bodies[0].head["frames"][1]["time"], 1.0);
   EXPECT_LT(bodies[0].bytes.size(), 120'000u);
   EXPECT_EQ(packed_bodies({place / "a"}, false)[0].head["particles"], 0);
+}
+
+TEST_F(Bodies, ShowTheFieldsThatAllOfThemHave) {
+  write_ball(place / "a");
+  std::filesystem::create_directories(place / "dry");
+  for (const char* name : {"surface_0000.hdf", "look.json"}) std::filesystem::copy(place / "a" / name, place / "dry" / name);
+  FrameData data;
+  data.positions = std::vector<float>{0, 0, 0};
+  data.columns = {{"id", "", std::vector<std::int64_t>{1}, 1}, {"volume", "m^3", std::vector<float>{1}, 1}};
+  data.columns.push_back({"temperature", "C", std::vector<float>{20}, 1});
+  write_frame(place / "dry/particles_0000.hdf", 0, data);
+  EXPECT_EQ(packed_bodies({place / "a"}, false)[0].head["fields"].size(), 4u);
+  for (const PackedBody& body : packed_bodies({place / "a", place / "dry"}, false)) {
+    ASSERT_EQ(body.head["fields"].size(), 1u);
+    EXPECT_EQ(body.head["fields"][0]["name"], "temperature");
+  }
 }
 
 TEST_F(Bodies, HaveTheFieldsOfTheirInsideOnAGrid) {

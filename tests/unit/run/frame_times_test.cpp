@@ -5,6 +5,7 @@
 
 #include "solver/core/errors.h"
 #include "solver/scene/scene.h"
+#include "tests/support/temporary_folder.h"
 
 namespace bake {
 namespace {
@@ -57,12 +58,8 @@ TEST(FrameTimes, GoOnAtTheRateIfARunGoesBeyondTheScenesEnd) {
 TEST(FrameTimes, ThatCannotBeCountedAreRefused) {
   EXPECT_EQ(FrameTimes(ending_at(1e9, 1)).last(), 1'000'000'000);
   for (const Scene& scene : {ending_at(1e9, 24), ending_at(1e300, 1e300), ending_at(1, 1e10)}) {
-    try {
-      const FrameTimes times(scene);
-      ADD_FAILURE() << times.last();
-    } catch (const InputError& error) {
-      EXPECT_NE(std::string(error.what()).find("bread.toml: run.end_s: found"), std::string::npos) << error.what();
-    }
+    const std::string message = message_of<InputError>([&] { FrameTimes{scene}; });
+    EXPECT_NE(message.find("bread.toml: run.end_s: found"), std::string::npos) << message;
     EXPECT_EQ(FrameTimes(scene, 3).last(), 3) << "three can";
   }
 }

@@ -26,8 +26,7 @@ TEST(Ledger, HasEachNameOnceWithAMeaning) {
 }
 
 TEST(Ledger, OfAnEffectThatIsNotListedIsZero) {
-  Dough dough;
-  dough.effects = "heat";
+  Dough dough("heat");
   const auto s = dough.begin();
   for (const LedgerColumn& c : ledger()) {
     if (is_of_scene(dough.scene(), c.name)) continue;
@@ -36,6 +35,23 @@ TEST(Ledger, OfAnEffectThatIsNotListedIsZero) {
   EXPECT_TRUE(is_of_scene(dough.scene(), "temperature_max_C"));
   EXPECT_FALSE(is_of_scene(dough.scene(), "water_mass_kg"));
   EXPECT_GT(s->total(total::heat_content), 0);
+}
+
+TEST(Ledger, HasColumnsForEachGiverOnRequest) {
+  Dough dough;
+  dough.tables =
+      "[[collider]]\nname = \"plate\"\nshape = { half_space = { point_m = [0, 0, -0.9], normal = [0, 0, 1] } }\nledger = true\n"
+      "[[grip]]\nname = \"hand\"\nshape = { sphere = { radius_m = 0.1 } }\nledger = true\n";
+  std::vector<std::string> columns = ledger_columns(dough.scene());
+  const std::vector<std::string> own(columns.begin() + static_cast<std::ptrdiff_t>(ledger_columns().size()), columns.end());
+  EXPECT_EQ(own, (std::vector<std::string>{"collider_plate_impulse_x_kg_m_per_s", "collider_plate_impulse_y_kg_m_per_s",
+                                           "collider_plate_impulse_z_kg_m_per_s", "collider_plate_heat_J", "grip_hand_impulse_x_kg_m_per_s",
+                                           "grip_hand_impulse_y_kg_m_per_s", "grip_hand_impulse_z_kg_m_per_s"}));
+  EXPECT_EQ(ledger_row(*dough.begin()).size(), columns.size());
+  for (const std::string& name : own) EXPECT_NE(explain_column(name).find("gave to the dough"), std::string::npos) << name;
+  EXPECT_EQ(ledger_columns(Dough().scene()), ledger_columns());
+  for (const LedgerColumn& c : ledger())
+    for (const char* kind : {"collider_", "grip_", "face_"}) EXPECT_FALSE(c.name.starts_with(kind)) << c.name;
 }
 
 }  // namespace

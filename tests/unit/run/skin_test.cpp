@@ -29,13 +29,8 @@ SceneBuilder fruit(const std::string& skin = "") {
   return builder;
 }
 
-std::string message_of(const SceneBuilder& builder) {
-  try {
-    make_skins(builder.scene());
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+std::string refusal(const SceneBuilder& builder) {
+  return message_of<InputError>([&] { make_skins(builder.scene()); });
 }
 
 TEST(ASkin, CoversABodyBelowItsSurface) {
@@ -72,20 +67,19 @@ TEST(ASkin, ComesFromAFile) {
   mesh.points[7] = 0;  // two corners in one place
   mesh.points[6] = 0;
   write_mesh(folder / "sheet.hdf", mesh);
-  EXPECT_NE(message_of(builder).find("skin.0: found a triangle of the vertices 0, 1, 2 that has no area"), std::string::npos)
-      << message_of(builder);
+  EXPECT_NE(refusal(builder).find("skin.0: found a triangle of the vertices 0, 1, 2 that has no area"), std::string::npos)
+      << refusal(builder);
   mesh.points = {0, 0, 0.1, 0.1, 0, 0.1, 0, 0.1, 0.1, 0.1, 0.1, 0.1};
   mesh.cells = {0, 1, 2, 1, 2, 3};
   write_mesh(folder / "sheet.hdf", mesh);
-  EXPECT_NE(message_of(builder).find("not one of two triangles turned the same way"), std::string::npos) << message_of(builder);
+  EXPECT_NE(refusal(builder).find("not one of two triangles turned the same way"), std::string::npos) << refusal(builder);
 }
 
 TEST(ASkin, IsRefusedWhereItCannotBe) {
   SceneBuilder thin = fruit();
   thin.shape = "box = { half_extents_m = [0.3, 0.3, 0.02] }";
-  EXPECT_NE(message_of(thin).find("skin.0: found a shape too thin"), std::string::npos) << message_of(thin);
-  EXPECT_NE(message_of(fruit("only = { sphere = { centre_m = [0.9, 0, 0], radius_m = 0.1 } }")).find("found no triangle"),
-            std::string::npos);
+  EXPECT_NE(refusal(thin).find("skin.0: found a shape too thin"), std::string::npos) << refusal(thin);
+  EXPECT_NE(refusal(fruit("only = { sphere = { centre_m = [0.9, 0, 0], radius_m = 0.1 } }")).find("found no triangle"), std::string::npos);
 }
 
 TEST(DoubtsAboutSkins, TellWhatTheGridCannotShow) {

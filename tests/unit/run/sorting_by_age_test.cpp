@@ -2,9 +2,6 @@
 // Particles are sorted when one leaves its block, and again when that was long ago.
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-
 #include "solver/io/checkpoint.h"
 #include "solver/run/simulation.h"
 #include "solver/scene/scene_builder.h"
@@ -36,8 +33,7 @@ std::string saved(const Simulation& simulation, const std::filesystem::path& pat
   CheckpointWriter out(path, "drifting", Precision::single_precision);
   simulation.write(out);
   out.commit();
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  return contents(path);
 }
 
 TEST(Sorting, ComesEveryHundredStepsThoughNoParticleLeavesItsBlock) {

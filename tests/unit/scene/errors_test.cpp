@@ -88,6 +88,30 @@ TEST(SceneError, EffectsMustBeKnownSingleAndComplete) {
             "bread.toml:1: effects: 'leavening' needs 'heat'");
 }
 
+TEST(SceneError, GravityIsAVectorOrACurveOfVectors) {
+  const auto error = [](const std::string& gravity) { return error_of(k_least + "[motion]\ngravity_m_per_s2 = " + gravity + "\n"); };
+  const std::string place = "bread.toml:10: motion.gravity_m_per_s2";
+  const std::string allowed = "allowed: [x, y, z], each any finite number, or [[time_s, [x, y, z]], ...] with rising times";
+  EXPECT_EQ(error("-9.81"), place + ": found -9.81, " + allowed);
+  EXPECT_EQ(error("[0, -9.81]"), place + ": found a list of 2, " + allowed);
+  EXPECT_EQ(error("[]"), place + ": found a list of 0, " + allowed);
+  EXPECT_EQ(error("[0, 0, \"down\"]"), place + ".2: found \"down\", allowed: any finite number");
+  EXPECT_EQ(error("[[0, 0, -9.81]]"), place + ".0: found a list of 3, allowed: a pair [time_s, [x, y, z]]");
+  EXPECT_EQ(error("[[0, -9.81]]"), place + ".0.1: found -9.81, allowed: [x, y, z], each any finite number");
+  EXPECT_EQ(error("[[1, [0, 0, 0]], [0.5, [0, 0, -9.81]]]"), place + ".1: found time 0.5 after time 1, allowed: rising times");
+}
+
+TEST(SceneError, DoughThatFallsMustNotCountAsStill) {
+  const auto error = [](const std::string& keys) { return error_of(k_least + "[motion]\n" + keys + "\n"); };
+  EXPECT_EQ(error("settle_damping_per_s = 20\nsettle_still_m_per_s = 0.3"),
+            "bread.toml:11: motion.settle_still_m_per_s: found 0.3, allowed: at most 0.245 (gravity over twice settle_damping_per_s), or "
+            "dough that falls counts as still");
+  for (const char* right : {"settle_damping_per_s = 20\nsettle_still_m_per_s = 0.2", "settle_still_m_per_s = 3",
+                            "settle_damping_per_s = 20\nsettle_still_m_per_s = 0.3\ngravity_m_per_s2 = [0, 0, 0]"})
+    EXPECT_NO_THROW(parse(k_least + "[motion]\n" + right + "\n")) << right;
+  EXPECT_EQ(error("settle_damping = 20"), "bread.toml:10: motion: unknown key 'settle_damping', did you mean 'settle_damping_per_s'?");
+}
+
 TEST(SceneError, CurvesMustRiseInTime) {
   EXPECT_EQ(error_of(k_least + "[oven]\ntemperature_C = [[0, 20],\n [0, 30]]\n"),
             "bread.toml:11: oven.temperature_C.1: found time 0 after time 0, allowed: rising times");

@@ -21,8 +21,14 @@ TEST(SceneReader, WhatIsNotGivenKeepsItsDefault) {
   EXPECT_EQ(scene.run.precision, Precision::single_precision);
   EXPECT_EQ(scene.time.largest_step_s, k_infinity);
   EXPECT_EQ(scene.oven.temperature_C(17), 20);
-  EXPECT_EQ(scene.of<Motion>().gravity_m_per_s2, (Vector3{0, 0, -9.81}));
+  EXPECT_EQ(scene.of<Motion>().gravity_m_per_s2(17), (Vector3{0, 0, -9.81}));
   EXPECT_TRUE(scene.effects.empty());
+}
+
+TEST(SceneReader, GravityMayChangeWithTime) {
+  const Scene scene = parse(k_least + "[motion]\ngravity_m_per_s2 = [[0, [0, 0, 0]], [0.5, [2, 0, -8]]]\n");
+  EXPECT_EQ(scene.of<Motion>().gravity_m_per_s2(0.25), (Vector3{1, 0, -4}));
+  EXPECT_EQ(scene.of<Motion>().gravity_m_per_s2(2), (Vector3{2, 0, -8}));
 }
 
 TEST(SceneReader, ASceneWithoutBodiesIsLegal) { EXPECT_TRUE(parse(k_least).bodies.empty()); }

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The study of accuracy: its fronts, its raw data, and that a study which was stopped goes on.
-#include "experiments/accuracy/accuracy.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "experiments/accuracy/expected.h"
 #include "experiments/accuracy/reference.h"
 #include "experiments/accuracy/result.h"
+#include "experiments/common/study.h"
 #include "solver/core/errors.h"
 #include "solver/scene/entry.h"
 #include "solver/scene/reader.h"
