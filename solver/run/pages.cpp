@@ -154,8 +154,8 @@ What is booked closes the balance of what is summed, to round-off: mass of water
 angular momentum - angular_impulse, and heat content - heat_exchanged + latent + vapour + expansion - water_remap stay as they were at the
 start, but for what was emitted and retired.
 
-A collider, a grip or a `[[face]]` of the domain with `ledger = true` has columns of its own behind these, called by what it is and its name,
-as in `collider_plate_impulse_z_kg_m_per_s`. They do not change the run.
+A collider, a grip or a `[[face]]` of the domain with `ledger = true` has columns of its own behind these, called by what it is and its
+name, as in `collider_plate_impulse_z_kg_m_per_s`. They do not change the run.
 
 | column | unit | meaning | how it comes about |
 |---|---|---|---|

@@ -101,6 +101,24 @@ TEST(AnEmitter, PoursTheCrossSectionTimesSpeedTimesTimeAtEveryQuality) {
       "[0, 0.1, 0]", pi / 2 * 0.017 * 0.017 * 0.1);
 }
 
+TEST(AnEmitter, KnowsAboutHowManyParticlesItPours) {
+  Pours pours;
+  pours.spout = "box = { half_extents_m = [0.01, 0.02, 0.0041] }", pours.velocity = "[0, 0, -0.05]";
+  for (const double end : {0.3, 1.2, 4.0}) {  // before it pours, while it does, and after
+    const Scene poured = pours.pouring(2, Quality::draft);
+    EmitterState emitter(poured, poured.emitters[0], 0);
+    double all = 0, mean = 0;
+    while (emitter.next_time() <= end) {
+      const double time = emitter.next_time(), slice = static_cast<double>(emitter.pour().size());
+      all += slice;
+      mean += slice * (end - time) / end;
+    }
+    EXPECT_NEAR(emitter.particles_by(end, false), all, 0.05 * all) << end;
+    EXPECT_NEAR(emitter.particles_by(end, true), mean, 0.05 * mean) << end;
+    EXPECT_EQ(all > 0, end > 0.5);
+  }
+}
+
 TEST(AnEmitter, PushesDoughOutAtItsRearEndAndLeavesNoGapsInIt) {
   Pours pours;
   pours.spout = "box = { centre_m = [0, 0, 0.01], half_extents_m = [0.02, 0.02, 0.011] }", pours.velocity = "[0, 0, -0.02]";
