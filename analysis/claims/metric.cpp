@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "solver/scene/nearest.h"
 
 namespace bake {
@@ -33,6 +35,18 @@ Measurement measure(const Metric& metric, const Results& run, const MetricPlace&
 
 Measurement measure(const Metric& metric, const Fracture& surface, const MetricPlace& place) {
   return measured<OfSurface>(metric, surface, surface.file.string(), place);
+}
+
+Measurement distance(const Metric& metric, const Results& run, MetricPlace place, const std::vector<double>& times_s,
+                     const std::vector<double>& values) {
+  double sum = 0;
+  for (std::size_t i = 0; i < times_s.size(); ++i) {
+    place.time_s = times_s[i];
+    const Measurement m = measure(metric, run, place);
+    if (!m.is_number()) return m;
+    sum += (m.value - values[i]) * (m.value - values[i]);
+  }
+  return std::sqrt(sum / static_cast<double>(times_s.size()));
 }
 
 bool is_in_box(const Vector3& point, const MetricPlace& at) {

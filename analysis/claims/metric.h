@@ -96,6 +96,9 @@ struct Measurement {
 /// Measures a run or a surface. What is no number is told in the result. Throws InputError if a file, frame, particle or column is missing.
 Measurement measure(const Metric& metric, const Results& run, const MetricPlace& place);
 Measurement measure(const Metric& metric, const Fracture& surface, const MetricPlace& place);
+/// Root mean square of the differences between a metric of a run, at the frames nearest to `times_s`, and as many `values` from elsewhere.
+Measurement distance(const Metric& metric, const Results& run, MetricPlace place, const std::vector<double>& times_s,
+                     const std::vector<double>& values);
 
 /// All metrics: of the ledger, of frames, of fracture surfaces.
 const std::vector<Metric>& all_metrics();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 
-#include <cmath>
 #include <map>
 #include <set>
 
@@ -20,22 +19,14 @@ class Measured {
   Measurement operator()(const Claim& claim, const std::string& of) {
     if (of.empty()) return find_named(computed_.numbers, claim.metric)->value;
     const Metric& metric = find_metric(claim.metric);
-    if (!claim.measured.empty()) return distance(metric, run(of), claim.place, *find_named(place_.figure.measured, claim.measured));
+    if (!claim.measured.empty()) {
+      const FigureMeasured& measured = *find_named(place_.figure.measured, claim.measured);
+      return distance(metric, run(of), claim.place, measured.times_s, measured.values);
+    }
     return metric.is_of_run() ? measure(metric, run(of), claim.place) : measure(metric, surface(of), claim.place);
   }
 
  private:
-  /// Root mean square of the differences to measured points.
-  static Measurement distance(const Metric& metric, const Results& run, MetricPlace at, const FigureMeasured& measured) {
-    double sum = 0;
-    for (std::size_t i = 0; i < measured.times_s.size(); ++i) {
-      at.time_s = measured.times_s[i];
-      const Measurement m = measure(metric, run, at);
-      if (!m.is_number()) return m;
-      sum += (m.value - measured.values[i]) * (m.value - measured.values[i]);
-    }
-    return std::sqrt(sum / static_cast<double>(measured.times_s.size()));
-  }
   const Results& run(const std::string& name) { return runs_.try_emplace(name, place_.run(name)).first->second; }
   const Fracture& surface(const std::string& name) {
     const auto found = surfaces_.find(name);

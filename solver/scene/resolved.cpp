@@ -77,6 +77,20 @@ void take_former_names(nlohmann::json& values, const FormerNames& former) {
   }
 }
 
+/// Keys and lists that scenes got after data had been kept by their fingerprints. While they have their defaults they are left out, so that
+/// what was measured before stays valid.
+void leave_out_later_keys(nlohmann::json& values) {
+  const auto leave_out = [](nlohmann::json& object, const nlohmann::json& standard, std::initializer_list<const char*> keys) {
+    for (const char* key : keys)
+      if (object.at(key) == standard.at(key)) object.erase(key);
+  };
+  leave_out(values["run"], json_members(RunSettings{}), {"stress_in_frames"});
+  leave_out(values[Motion::name], json_members(Motion::Settings{}), {"settle_damping_per_s", "settle_still_m_per_s", "settle_longest_s"});
+  for (nlohmann::json& collider : values["collider"]) leave_out(collider, json_members(Collider{}), {"ledger"});
+  for (nlohmann::json& grip : values["grip"]) leave_out(grip, json_members(Grip{}), {"ledger"});
+  if (values["face"].empty()) values.erase("face");
+}
+
 std::uint64_t fnv1a(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
@@ -134,6 +148,7 @@ std::string scene_fingerprint(const Scene& scene) {
   values.erase("file");
   values["run"].erase("end_s");
   values["run"].erase("checkpoint_every_frames");
+  leave_out_later_keys(values);
   return fmt::format("{:016x}", fnv1a(under_former_names(std::move(values)).dump()));
 }
 

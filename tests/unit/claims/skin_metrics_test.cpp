@@ -99,6 +99,14 @@ class BentDrying : public WrittenRun {
   BentDrying() : WrittenRun(R"({"summary": {"state": "done"}})", "time_s,water_mass_kg\n0,1\n1,0.9\n2,0.2\n") {}
 };
 
+TEST_F(BentDrying, IsAsFarFromMeasuredPointsAsTheRootMeanSquareOfItsDifferences) {
+  const Results run(folder_.path());
+  const Metric& water_left = find_metric("water_left");
+  EXPECT_DOUBLE_EQ(distance(water_left, run, {}, {0, 1, 2}, {1, 0.9, 0.2}).value, 0);
+  EXPECT_DOUBLE_EQ(distance(water_left, run, {}, {1, 2}, {0.9 - 0.03, 0.2 + 0.04}).value, 0.05 / std::sqrt(2.));
+  EXPECT_FALSE(distance(water_left, run, {}, {1, 7}, {0.9, 0.1}).is_number()) << "there is no frame at 7 s";
+}
+
 TEST_F(BentDrying, IsLessStraight) {
   // y = 0, ln 0.9, ln 0.2 at -1, 0, 1
   const double a = std::log(0.9), b = std::log(0.2), mean = (a + b) / 3;

@@ -67,8 +67,9 @@ TEST(Fingerprint, IsTheSameForTheSamePhysics) {
 TEST(Fingerprint, IsAnotherForOtherPhysics) {
   const std::string print = scene_fingerprint(parse(k_full));
   EXPECT_NE(scene_fingerprint(parse_scene(k_full, "bread.toml", {Quality::draft, {}})), print);
-  for (const char* change : {"run.frame_rate_per_s=24", "run.seed=2", "run.precision=single", "material.dough.young_modulus_Pa=100001",
-                             "body.0.shape.scale=2.5", "oven.temperature_C=[[0,20],[61,200]]", "effects=['motion']"}) {
+  for (const char* change :
+       {"run.frame_rate_per_s=24", "run.seed=2", "run.precision=single", "material.dough.young_modulus_Pa=100001", "body.0.shape.scale=2.5",
+        "oven.temperature_C=[[0,20],[61,200]]", "effects=['motion']", "run.stress_in_frames=true", "motion.settle_damping_per_s=1"}) {
     EXPECT_NE(scene_fingerprint(parse(k_full, {change})), print) << change;
   }
 }
