@@ -180,20 +180,30 @@ bool has_images(const BlockIndex& b, const GridGeometry& geometry, const Contact
   return false;
 }
 
-/// A block's own nodes along an axis, and what they are images of. Returns how many.
-int find_images(int block, int axis, const GridGeometry& geometry, const Contacts& contacts, Images (&found)[5]) {
+constexpr int k_most_images = 16;
+
+/// A block's own nodes along an axis, and what they are images of: through one face, or to and fro through both where these are near each
+/// other. Returns how many.
+int find_images(int block, int axis, const GridGeometry& geometry, const Contacts& contacts, Images (&found)[k_most_images]) {
+  const int low = static_cast<int>(geometry.low_face()), high = static_cast<int>(geometry.high_face(axis)), width = high - low;
+  const bool at_low = contacts.is_mirror(2 * axis), at_high = contacts.is_mirror(2 * axis + 1);
   int count = 0;
   found[count++] = {block, {0, 1, 2, 3}};
-  for (int side = 0; side < 2; ++side) {
-    const int face = static_cast<int>(side ? geometry.high_face(axis) : geometry.low_face());
-    if (!contacts.is_mirror(2 * axis + side)) continue;
-    const int others = count;
-    for (int i = 0; i < 4; ++i) {
-      const int node = 4 * block + i, image = 2 * face - node;
-      if (std::abs(node - face) > k_mirrored) continue;
-      if (count == others || found[count - 1].block != image >> 2) found[count++] = {image >> 2, {-1, -1, -1, -1}};
-      found[count - 1].node[i] = image & 3;
-    }
+  const auto add = [&](int i, int image) {
+    if (image < low - 1 || image > high + 1) return;  // dough reaches no further
+    int k = 1;
+    while (k < count && (found[k].block != image >> 2 || found[k].node[i] >= 0)) ++k;
+    if (k == count) found[count++] = {image >> 2, {-1, -1, -1, -1}};
+    found[k].node[i] = image & 3;
+  };
+  for (int i = 0; i < 4; ++i) {
+    const int node = 4 * block + i;
+    if (node < low - k_mirrored || node > high + k_mirrored) continue;
+    if (at_low) add(i, 2 * low - node);
+    if (at_high) add(i, 2 * high - node);
+    if (!at_low || !at_high) continue;
+    for (int shift = 2 * width; shift <= width + k_mirrored + 2; shift += 2 * width)
+      for (const int image : {node - shift, node + shift, 2 * low - node - shift, 2 * high - node + shift}) add(i, image);
   }
   return count;
 }
@@ -260,7 +270,7 @@ template <class Real>
 void FreeSurfaceMeasure<Real>::mirror(std::size_t s, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts) {
   const BlockIndex& b = active.at[s];
   if (!has_images(b, geometry, contacts)) return;
-  Images x[5], y[5], z[5];
+  Images x[k_most_images], y[k_most_images], z[k_most_images];
   const int xs = find_images(b.x, 0, geometry, contacts, x), ys = find_images(b.y, 1, geometry, contacts, y),
             zs = find_images(b.z, 2, geometry, contacts, z);
   blocks_[s].is_mirrored = true;
