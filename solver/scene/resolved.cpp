@@ -79,15 +79,15 @@ void take_former_names(nlohmann::json& values, const FormerNames& former) {
 
 /// Keys and lists that scenes got after data had been kept by their fingerprints. While they have their defaults they are left out, so that
 /// what was measured before stays valid.
-void leave_out_later_keys(nlohmann::json& values) {
-  const auto leave_out = [](nlohmann::json& object, const nlohmann::json& standard, std::initializer_list<const char*> keys) {
-    for (const char* key : keys)
-      if (object.at(key) == standard.at(key)) object.erase(key);
+void leave_out_later_keys(nlohmann::json& values, const Scene& scene) {
+  const auto leave_out = [](nlohmann::json& object, const nlohmann::json& standard) {
+    for (const char* key : {"stress_in_frames", "settle_damping_per_s", "settle_still_m_per_s", "settle_longest_s", "ledger"})
+      if (object.contains(key) && object[key] == standard.at(key)) object.erase(key);
   };
-  leave_out(values["run"], json_members(RunSettings{}), {"stress_in_frames"});
-  leave_out(values[Motion::name], json_members(Motion::Settings{}), {"settle_damping_per_s", "settle_still_m_per_s", "settle_longest_s"});
-  for (nlohmann::json& collider : values["collider"]) leave_out(collider, json_members(Collider{}), {"ledger"});
-  for (nlohmann::json& grip : values["grip"]) leave_out(grip, json_members(Grip{}), {"ledger"});
+  leave_out(values["run"], json_members(RunSettings{}));
+  for_each_effect([&]<class Effect>() { leave_out(values[Effect::name], json_members(std::decay_t<decltype(scene.of<Effect>())>{})); });
+  for (nlohmann::json& collider : values["collider"]) leave_out(collider, json_members(Collider{}));
+  for (nlohmann::json& grip : values["grip"]) leave_out(grip, json_members(Grip{}));
   if (values["face"].empty()) values.erase("face");
 }
 
@@ -148,7 +148,7 @@ std::string scene_fingerprint(const Scene& scene) {
   values.erase("file");
   values["run"].erase("end_s");
   values["run"].erase("checkpoint_every_frames");
-  leave_out_later_keys(values);
+  leave_out_later_keys(values, scene);
   return fmt::format("{:016x}", fnv1a(under_former_names(std::move(values)).dump()));
 }
 
