@@ -67,23 +67,25 @@ Contacts::Contacts(const Scene& scene, const GridGeometry& geometry)
   for (int i = 0; i < 6; ++i) {
     if (faces[i] == Face::periodic) is_mirror_[static_cast<std::size_t>(i)] = false;
     if (faces[i] == Face::open || faces[i] == Face::periodic) continue;
-    const int axis = i / 2;
-    const double at = geometry.origin({0, 0, 0})[static_cast<std::size_t>(axis)] +
-                      (i % 2 ? geometry.high_face(axis) : geometry.low_face()) * geometry.dx();
     const Rule rule = faces[i] == Face::sticky ? Rule::sticky : faces[i] == Face::slip ? Rule::slip : Rule::separating;
-    faces_.push_back({axis, i % 2 ? -1.0 : 1.0, at, rule, giver_at[i]});
+    faces_.push_back({plane_of(i), rule, giver_at[i]});
   }
   for (const DomainFace& f : scene.faces) {
     if (!f.passes_heat()) continue;
-    const int face = static_cast<int>(f.at), axis = face / 2;
-    const double at = geometry.origin({0, 0, 0})[static_cast<std::size_t>(axis)] +
-                      (face % 2 ? geometry.high_face(axis) : geometry.low_face()) * geometry.dx();
+    const int face = static_cast<int>(f.at);
     ContactHeat heat;
     if (f.temperature_C) heat.heat_transfer_coefficient = f.heat_transfer_coefficient_W_per_m2K.value_or(k_infinity);
     heat.giver = giver_at[face];
-    walls_.push_back({axis, face % 2 ? -1.0 : 1.0, at, f.temperature_C, f.heat_flux_W_per_m2, heat});
+    walls_.push_back({plane_of(face), f.temperature_C, f.heat_flux_W_per_m2, heat});
     is_mirror_[static_cast<std::size_t>(face)] = false;
   }
+}
+
+Contacts::FacePlane Contacts::plane_of(int face) const {
+  const int axis = face / 2;
+  const bool is_high = face % 2 != 0;
+  const double nodes = is_high ? geometry_.high_face(axis) : geometry_.low_face();
+  return {axis, is_high ? -1.0 : 1.0, geometry_.origin({0, 0, 0})[static_cast<std::size_t>(axis)] + nodes * geometry_.dx()};
 }
 
 void Contacts::prepare(double time, bool at_rest) {
@@ -225,8 +227,7 @@ Vector3 Contacts::after_all(const Point& x, Vector3 v, const NodesAround* around
     if constexpr (tells) tell(p.contact->giver, before);
   }
   for (const FaceOfDomain& f : faces_) {
-    const double inside = f.sign * (x[static_cast<std::size_t>(f.axis)] - f.at);
-    if (inside > touching()) continue;
+    if (f.distance(x) > touching()) continue;
     Vector3 n{0, 0, 0};
     n[static_cast<std::size_t>(f.axis)] = f.sign;
     [[maybe_unused]] const Vector3 before = v;

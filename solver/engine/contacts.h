@@ -130,22 +130,23 @@ class Contacts final : public Obstacles {
   /// A node this close to a solid is in it: faces are often drawn through nodes, whose positions are rounded [m].
   double touching() const { return 1e-6 * geometry_.dx(); }
 
-  struct FaceOfDomain {
+  struct FacePlane {
     int axis;
-    double sign;  ///< of the inward normal
-    double at;    ///< [m]
+    double sign;                                                                                       ///< of the inward normal
+    double at;                                                                                         ///< [m]
+    double distance(const Point& x) const { return sign * (x[static_cast<std::size_t>(axis)] - at); }  ///< negative outside [m]
+  };
+  /// `face`: 0 to 5, as x_min, x_max, y_min, ...
+  FacePlane plane_of(int face) const;
+  struct FaceOfDomain : FacePlane {
     Rule rule;
     int giver;
   };
 
   /// A face of the domain that passes heat: for the measure of the surface a solid that fills the space beyond it.
-  struct Wall {
-    int axis;
-    double sign;  ///< of the inward normal
-    double at;    ///< [m]
+  struct Wall : FacePlane {
     std::optional<Curve> temperature, flux;
     ContactHeat heat;  ///< at present
-    double distance(const Point& x) const { return sign * (x[static_cast<std::size_t>(axis)] - at); }
   };
 
   std::vector<Contacting> all_;

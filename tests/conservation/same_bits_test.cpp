@@ -3,9 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "solver/engine/sheets.h"
-#include "solver/io/checkpoint.h"
-#include "tests/conservation/dough.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/conservation/bits_of_run.h"
 
 namespace bake {
 namespace {
@@ -75,26 +73,12 @@ struct Case {
   bool has_skin = false;
 };
 
-class SameBits : public testing::TestWithParam<Case> {
+class SameBits : public BitsOfRun, public testing::WithParamInterface<Case> {
  protected:
-  const Scene scene =
-      GetParam().has_skin ? drying_fruit(GetParam().precision) : busy_scene(GetParam().precision, GetParam().kernel, GetParam().heat);
-  const int frames = GetParam().has_skin ? 6 : 12;
-  const TemporaryFolder folder;
-  const int threads = omp_get_max_threads();
-  void TearDown() override { omp_set_num_threads(threads); }
-  std::string saved(const Simulation& s) const {
-    CheckpointWriter out(folder / "run.h5", "busy", scene.run.precision);
-    s.write(out);
-    out.commit();
-    return contents(folder / "run.h5");
-  }
-  double frame_time(int frame) const { return frame / scene.run.frame_rate_per_s; }
-  /// Goes on to frame `last`; stops after `steps` steps if that comes earlier.
-  void advance(Simulation& s, int last, int steps = 1 << 30) const {
-    const int first = static_cast<int>(s.time() * scene.run.frame_rate_per_s + 1e-9);
-    for (int f = first; f < last && steps > 0; ++f) s.advance(frame_time(f + 1), frame_time(f + 2), [&] { return --steps > 0; });
-  }
+  SameBits()
+      : BitsOfRun(
+            GetParam().has_skin ? drying_fruit(GetParam().precision) : busy_scene(GetParam().precision, GetParam().kernel, GetParam().heat),
+            GetParam().has_skin ? 6 : 12) {}
   std::string whole_run(int n) const {
     omp_set_num_threads(n);
     const auto s = Simulation::begin(scene);
@@ -105,7 +89,7 @@ class SameBits : public testing::TestWithParam<Case> {
   std::string gone_on_with(const Simulation& s) const {
     saved(s);
     omp_set_num_threads(3);
-    const auto second = Simulation::resume(scene, CheckpointReader(folder / "run.h5"));
+    const auto second = read_again();
     EXPECT_EQ(second->skin_sums().area, s.skin_sums().area);
     advance(*second, frames);
     return saved(*second);

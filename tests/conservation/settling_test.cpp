@@ -3,9 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/claims/finite.h"
-#include "solver/io/checkpoint.h"
-#include "tests/conservation/dough.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/conservation/bits_of_run.h"
 
 namespace bake {
 namespace {
@@ -153,24 +151,9 @@ TEST(Settling, LeavesABallAtRestThatWouldBounceWithoutIt) {
   EXPECT_LT(settled, 1e-3 * free);
 }
 
-class BitsOfSettling : public testing::TestWithParam<const char*> {
+class BitsOfSettling : public BitsOfRun, public testing::WithParamInterface<const char*> {
  protected:
-  const Dough dough = put_on_a_tray(GetParam());
-  const Scene scene = dough.scene();
-  const TemporaryFolder folder;
-  const int threads = omp_get_max_threads();
-  void TearDown() override { omp_set_num_threads(threads); }
-
-  std::string saved(const Simulation& s) const {
-    CheckpointWriter out(folder / "run.h5", "settling", scene.run.precision);
-    s.write(out);
-    out.commit();
-    return contents(folder / "run.h5");
-  }
-  void advance(Simulation& s, int steps = 1 << 30) const {
-    for (int f = static_cast<int>(s.time() / dough.frame_s + 1e-9); f < 3 && steps > 0; ++f)
-      s.advance((f + 1) * dough.frame_s, (f + 2) * dough.frame_s, [&] { return --steps > 0; });
-  }
+  BitsOfSettling() : BitsOfRun(put_on_a_tray(GetParam()).scene(), 3) {}
 };
 
 TEST_P(BitsOfSettling, AreTheSameForAnyNumberOfThreadsAndAfterAStopInTheMiddleOfIt) {
@@ -179,9 +162,9 @@ TEST_P(BitsOfSettling, AreTheSameForAnyNumberOfThreadsAndAfterAStopInTheMiddleOf
   for (const int n : {1, 3}) {
     omp_set_num_threads(n);
     const auto s = Simulation::begin(scene);
-    while (s->settling().now) advance(*s, 1);
+    while (s->settling().now) advance(*s, frames, 1);
     settling_steps = s->counters().steps;
-    advance(*s);
+    advance(*s, frames);
     if (n == 1)
       one = saved(*s);
     else
@@ -190,12 +173,12 @@ TEST_P(BitsOfSettling, AreTheSameForAnyNumberOfThreadsAndAfterAStopInTheMiddleOf
   ASSERT_GT(settling_steps, 20);
   for (const std::int64_t steps : {std::int64_t{1}, settling_steps / 2, settling_steps - 1, settling_steps, settling_steps + 1}) {
     const auto first = Simulation::begin(scene);
-    advance(*first, static_cast<int>(steps));
+    advance(*first, frames, static_cast<int>(steps));
     ASSERT_EQ(first->settling().now, steps < settling_steps);
     saved(*first);
-    const auto second = Simulation::resume(scene, CheckpointReader(folder / "run.h5"));
+    const auto second = read_again();
     EXPECT_EQ(second->settling().time, first->settling().time);
-    advance(*second);
+    advance(*second, frames);
     EXPECT_TRUE(saved(*second) == one) << "stopped after " << steps << " of " << settling_steps << " steps";
   }
 }

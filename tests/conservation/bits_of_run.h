@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// A run whose bits at its end are compared: with those of other numbers of threads, and of a run that was stopped and went on.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include "solver/io/checkpoint.h"
+#include "tests/conservation/dough.h"
+#include "tests/support/temporary_folder.h"
+
+namespace bake {
+
+class BitsOfRun : public testing::Test {
+ protected:
+  BitsOfRun(const Scene& of, int until) : scene(of), frames(until) {}
+  void TearDown() override { omp_set_num_threads(threads); }
+  std::string saved(const Simulation& s) const {
+    CheckpointWriter out(file, "run", scene.run.precision);
+    s.write(out);
+    out.commit();
+    return contents(file);
+  }
+  std::unique_ptr<Simulation> read_again() const { return Simulation::resume(scene, CheckpointReader(file)); }
+  double frame_time(int frame) const { return frame / scene.run.frame_rate_per_s; }
+  /// Goes on to frame `last`; stops after `steps` steps if that comes earlier.
+  void advance(Simulation& s, int last, int steps = 1 << 30) const {
+    const int first = static_cast<int>(s.time() * scene.run.frame_rate_per_s + 1e-9);
+    for (int f = first; f < last && steps > 0; ++f) s.advance(frame_time(f + 1), frame_time(f + 2), [&] { return --steps > 0; });
+  }
+
+  const Scene scene;
+  const int frames;
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "run.h5";
+  const int threads = omp_get_max_threads();
+};
+
+}  // namespace bake
