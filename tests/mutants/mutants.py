@@ -86,7 +86,6 @@ MUTANTS = [
     (TETS + "tet_mesh.cpp", "if (f + 2 != last && same(f[0], f[2]))", "if (false)"),
     (TETS + "tet_mesh.cpp", "j - i != 2 || sum != 0", "j - i != 2 && sum != 0"),
     (TETS + "delaunay.cpp", "{t[1], t[0], t[3], t[2]}", "{t[1], t[0], t[2], t[3]}"),
-    (TETS + "effort.cpp", "std::sqrt(3.0) / 4", "std::sqrt(3.0) / 2"),
     (TETS + "effort.cpp", "effort.bytes > memory || effort.seconds", "effort.bytes > memory && effort.seconds"),
     (TETS + "even_volumes.cpp", "(1.0 / 24) * n", "(1.0 / 6) * n"),
     (TETS + "even_volumes.cpp", "k_least_share = 0.5;", "k_least_share = 0.05;"),

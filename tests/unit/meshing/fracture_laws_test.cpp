@@ -218,6 +218,19 @@ TEST(Cracks, AreSortedAndMeasuredAlikeEverywhere) {
 
 Topology one_tet() { return make_topology(TetMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}}); }
 
+TEST(Fracture, CutsATetrahedronBetweenCornersThatNoWholeEdgesConnect) {
+  const Topology topology = one_tet();
+  for (int mask = 0; mask < 64; ++mask) {
+    Broken broken(topology.edges.size());
+    for (std::size_t e = 0; e < broken.size(); ++e) broken[e] = (mask >> e & 1) != 0 ? 0 : -1;
+    const std::vector<std::int32_t> piece = pieces(topology, broken);
+    std::size_t apart = 0;
+    for (const auto& [a, b] : topology.edges) apart += piece[a] != piece[b];
+    const CutSurface surface = cut(topology, broken);
+    EXPECT_EQ(surface.triangles.size() - surface.skin_triangles, 4 * apart) << "broken edges as bits: " << mask;  // two sides of two
+  }
+}
+
 TEST(Depth, IsTheDistanceFromTheBoundary) {
   const auto depth = depth_in(one_tet());
   EXPECT_NEAR(depth({0.1, 0.2, 0.25}), 0.1, 1e-12);
