@@ -89,8 +89,6 @@ MUTANTS = [
     (TETS + "effort.cpp", "effort.bytes > memory || effort.seconds", "effort.bytes > memory && effort.seconds"),
     (TETS + "even_volumes.cpp", "(1.0 / 24) * n", "(1.0 / 6) * n"),
     (TETS + "even_volumes.cpp", "k_least_share = 0.5;", "k_least_share = 0.05;"),
-    (TETS + "feature_mesher.cpp", "wanted *= static_cast<double>(target) / static_cast<double>(mesh.points.size());",
-     "wanted *= static_cast<double>(mesh.points.size()) / static_cast<double>(target);"),
     (TETS + "lattice_mesher.cpp", "if (distance >= 0.5 * d) return;", "if (distance >= 0) return;"),
     (TETS + "lattice_mesher.cpp", "even_volumes(best, 0.5 * best_a", "even_volumes(best, best_a"),
     (TETS + "manifold.cpp", "volume(group) > volume(largest)", "group.size() > largest.size()"),
