@@ -108,7 +108,7 @@ Waves yielding(int cells, double e, double sign) {
 /// the mean of both signs of the load is free of that.
 Waves critical_strains_of_film(int cells) {
   const double e = std::log(1 + 1 / (2 * k_length));  // takes half of h: half a cell for each cell of the film, whole rows of particles
-  return critical_strains(yielding(cells, 0, 1), mean(yielding(cells, e, 1), yielding(cells, e, -1)), e);
+  return critical_strains(yielding(cells, 0, 1), 0, mean(yielding(cells, e, 1), yielding(cells, e, -1)), e);
 }
 
 }  // namespace

@@ -32,12 +32,12 @@ inline Wrinkle least_of_fit(const Waves& k, const Waves& strains) {
   return {2 * std::numbers::pi / at, a * at * at + b / at};
 }
 
-/// The strains at which the stiffness would be zero, from what waves yield without strain and at the strain `e`: it falls evenly with it.
-inline Waves critical_strains(const Waves& free, const Waves& pressed, double e) {
+/// The strains at which the stiffness would be zero, from what waves yield at the strain `e` and at a lower one: it falls evenly with it.
+inline Waves critical_strains(const Waves& at_lower, double lower, const Waves& at_e, double e) {
   Waves found;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const double S_0 = 1 / free[i], S_e = 1 / pressed[i];
-    found[i] = e * S_0 / (S_0 - S_e);
+    const double S_lower = 1 / at_lower[i], S_e = 1 / at_e[i];
+    found[i] = lower + (e - lower) * S_lower / (S_lower - S_e);
   }
   return found;
 }

@@ -6,7 +6,8 @@
 // which is least, 3 B k^2 / N, at the wavelength 2 pi (2 B / G)^(1/3).
 //
 // Of the solver S is asked as there: the load is put on the nodes at the surface, all motion is damped, and w read off the vertices when it
-// is at rest. How large the load is does not matter: where S would be zero follows from the ratio of two.
+// is at rest. How large the load is does not matter: where S would be zero follows from the ratio of two. Both are of pressed ground:
+// S falls 3 % faster near the onset than without strain.
 #include "experiments/convergence/cases.h"
 #include "experiments/convergence/film.h"
 #include "solver/io/mesh_file.h"
@@ -21,9 +22,9 @@ namespace {
 using std::numbers::pi;
 
 constexpr double k_wavelength = 14, k_onset = 0.02;  // of theory
-constexpr double k_piece = 91;                       // compressed; so long that its ends matter little
-// In its length; the onset has 13. Odd waves alone: what is compressed rises a little in its middle, to which even ones belong.
-constexpr Waves k_halves{11, 13, 15};
+constexpr double k_piece = 357;                      // compressed; of a quarter of it the ends would put the onset up by 3 % at 6 cells
+// In its length; the onset has 51. Odd waves alone: what is compressed rises a little in its middle, to which even ones belong.
+constexpr Waves k_halves{43, 51, 59};
 constexpr double k_ground_nu = 0.4, k_skin_nu = 0.3;
 constexpr double k_mu = 1 / (2 * (1 + k_ground_nu)), k_G = 4 * k_mu * (1 - k_ground_nu) / (3 - 4 * k_ground_nu);
 
@@ -103,15 +104,21 @@ Waves yields(double cells, double e, double sign) {
     for (std::size_t i = 0; i < w.size(); ++i)
       w[i] += (v < first + k_row || v + k_row >= end ? 0.5 : 1) * sign * (now.points[3 * v + 2] - pressed.points[3 * v + 2]) *
               std::cos(waves[i] * pressed.points[3 * v]);
-  for (double& each : w) each /= static_cast<double>(end - first - k_row) * std::exp(e);
+  // the load on each length of surface grows with the density of the ground
+  for (double& each : w) each /= static_cast<double>(end - first - k_row) * std::exp(e * (1 - k_ground_nu / (1 - k_ground_nu)));
   return w;
 }
 
-/// Where S, found at 0 and at half to two thirds of the onset, would be zero. The compression takes whole columns of particles: a gap at
-/// the end would be pressed out first. The mean of both signs of the load is free of what moves by itself.
+/// Where S, found at two and four fifths of the onset, would be zero. The compression takes whole columns of particles: a gap at the end
+/// would be pressed out first. The mean of both signs of the load is free of what moves by itself.
 Waves critical_strains_of_skin(double cells) {
-  const double column = k_wavelength / cells / 2, e = std::log(1 + std::round(0.6 * k_onset * k_piece / column) * column / k_piece);
-  return critical_strains(mean(yields(cells, 0, 1), yields(cells, 0, -1)), mean(yields(cells, e, 1), yields(cells, e, -1)), e);
+  const auto strain = [&](double share) {
+    const double column = k_wavelength / cells / 2;
+    return std::log(1 + std::round(share * k_onset * k_piece / column) * column / k_piece);
+  };
+  const auto both = [&](double e) { return mean(yields(cells, e, 1), yields(cells, e, -1)); };
+  const double lower = strain(0.4), upper = strain(0.8);
+  return critical_strains(both(lower), lower, both(upper), upper);
 }
 
 }  // namespace
