@@ -47,7 +47,7 @@ struct Brittleness : Effect {
     auto opening = p[field::epsilon][0] + p[field::epsilon][1] + p[field::epsilon][2];
     if constexpr (P::template has<field::ThermalStrain>) opening -= p[field::thermal_strain];
     const auto spent = min(p[field::broken] + k.per_work * p[field::plastic_work], 1 + 0 * opening);
-    p[field::broken] = (p.peak_temperature() >= k.theta_4) & (opening > 0 * opening) ? spent : p[field::broken];
+    p[field::broken] = ((p.peak_temperature() >= k.theta_4) & (opening > 0 * opening)) ? spent : p[field::broken];
   }
 
   static void show(auto& frame) { frame.stored(field::broken); }
