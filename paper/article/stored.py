@@ -8,7 +8,7 @@ A reference is written <<file: key>> or <<file: key | format>>, with the file's 
 A key is names separated by points, each followed by selectors in brackets, if it is a list: a number counts from 0, and conditions
 name=text, several with a semicolon between them, keep what fulfils them (name~text: what contains the text). A name with points in it stands
 in quotes. What is asked for must be there once. Formats are those of Python (.2f), after a factor if one is given (*1000 .0f); % is a factor of
-100 with its sign, date the day of a time, text words, and count the number of elements of a list. Without a format a number has three digits.
+100 with its sign, date the day of a time, text words, short the first letters of an identity, and count the number of elements of a list. Without a format a number has three digits.
 
 <<table: name>> and <<derived: name>> are functions of tables.py.
 """
@@ -105,12 +105,26 @@ def get(path, key):
 def escaped(text):
     """Plain text as TeX."""
     text = re.sub(r"[\\{}]", "", str(text))
-    text = re.sub(r"([&%$#_])", r"\\\1", text).replace("~", r"\textasciitilde{}").replace("->", r"$\to$")
+    text = re.sub(r"([&%$#])", r"\\\1", text).replace("~", r"\textasciitilde{}").replace("->", r"$\to$")
     text = re.sub(r"\^(\([^)]*\)|-?\w+)", r"\\textsuperscript{\1}", text).replace("^", r"\textasciicircum{}")
     text = text.replace(">=", r"$\ge$").replace("<=", r"$\le$").replace("+-", r"$\pm$").replace("<", "$<$").replace(">", "$>$")
-    for greek in ("alpha", "beta", "theta", "kappa", "lambda", "tau", "eta", "rho", "nu", "sigma"):
-        text = re.sub(rf"(?<![A-Za-z\\]){greek}(?![A-Za-z])", rf"$\\{greek}$", text)
-    return text
+    text = re.sub(rf"(?<![A-Za-z_])({GREEK}|[A-Za-z])_(\w+)", index, text)
+    text = re.sub(rf"(?<![A-Za-z\\_])({GREEK})(?![A-Za-z_])", r"$\\\1$", text)
+    return re.sub(r"(?<!\\)_(?!\{)", r"\\_", text).replace(" - ", " $-$ ")
+
+
+GREEK = "alpha|beta|theta|kappa|lambda|tau|eta|rho|nu|sigma"
+
+
+def index(match):
+    """A symbol with an index, as theta_out."""
+    symbol = "\\" + match[1] if len(match[1]) > 1 else match[1]
+    return rf"${symbol}_{{\mathrm{{{match[2]}}}}}$"
+
+
+def code(text):
+    """A name of the program's as TeX."""
+    return r"\code{" + str(text).replace("_", r"\_") + "}"
 
 
 def shown(number, form=".3g"):
@@ -118,12 +132,12 @@ def shown(number, form=".3g"):
     if number is None or not math.isfinite(number):
         raise Unknown("is not a finite number")
     text = format(number, form)
+    if "e" in text and 1e-3 <= abs(number) < 1e5:
+        text = f"{float(text):.10f}".rstrip("0").rstrip(".")
     if "e" in text:
         mantissa, exponent = text.split("e")
         power = rf"10^{{{int(exponent)}}}"
         return f"${power}$" if mantissa == "1" else rf"${mantissa}\times{power}$"
-    if "." in form and form.endswith("g") and abs(number) >= 1000:
-        text = f"{number:.0f}"
     return text.replace("-", "$-$")
 
 
@@ -136,6 +150,8 @@ def formatted(value, form):
         value = only(value)
     if form == "text":
         return escaped(as_text(value))
+    if form == "short":
+        return as_text(value)[:6]
     if form == "date":
         if not re.match(r"\d{4}-\d\d-\d\d", str(value)):
             raise Unknown("is no date")

@@ -3,7 +3,7 @@
 files alone; article.tex names it as <<table: ...>> or <<derived: ...>>."""
 import statistics
 
-from stored import ROOT, Unknown, escaped, get, read, shown
+from stored import ROOT, Unknown, code, escaped, get, read, shown
 
 FIGURES = "paper/figures"
 QUALITIES = ("paper", "standard", "draft")
@@ -65,7 +65,7 @@ def figures():
 
 def stamp(provenance):
     """Date and solver that something was measured with."""
-    return rf"{provenance['date'][:10]}, \code{{{provenance['program'].get('solver', provenance['program']['commit'])[:6]}}}"
+    return f"{provenance['date'][:10]}, {code(provenance['program'].get('solver', provenance['program']['commit'])[:6])}"
 
 
 def missed():
@@ -74,9 +74,9 @@ def missed():
         for claim in result["claims"] if result else []:
             if claim["holds"]:
                 continue
-            why = claim["why"].split(";")[0].split(": ")[-1] if item["name"] == "grapes" else claim["why"].split(";")[0]
+            why = claim["why"].split(";")[0]
             measured = "none" if claim["measured"] is None else shown(claim["measured"]) + unit(claim["unit"])
-            cells.append([number_of(item), rf"\code{{{escaped(claim['of'])}}}", escaped(claim["metric"].replace("_", " ")), measured,
+            cells.append([number_of(item), code(claim["of"]), escaped(claim["metric"].replace("_", " ")), measured,
                           escaped(claim["condition"]), escaped(why)])
     return rows(cells)
 
@@ -122,8 +122,8 @@ def items_without_a_record():
 
 
 def departures():
-    return rows([escaped(c["equation"]), escaped(c["printed"]), escaped(c["instead"]), escaped(c["measured"]), escaped(c["expected"]),
-                 shown(c["published"]), shown(c["standard"])] for c in get("paper/departures.json", "consequences"))
+    return rows([escaped(c["equation"]), escaped(c["printed"]), escaped(c["instead"]),
+                 rf"{escaped(c['measured'])} \emph{{(right: {escaped(c['expected'])})}}", shown(c["published"]), shown(c["standard"])] for c in get("paper/departures.json", "consequences"))
 
 
 def orders():
@@ -237,6 +237,11 @@ def timings():
     return rows(cells)
 
 
+def least_influence():
+    """The smallest of the largest changes that leaving an effect out makes in a scene, over the error of its grid."""
+    return shown(min(p["largest_change_over_error"] for p in get("paper/effects.json", "points")), ".2g")
+
+
 def timings_run():
     return str(sum(measured_run(p) is not None for p in get("reference/published/table1.toml", "simulation")))
 
@@ -289,8 +294,7 @@ def drying():
     cells = []
     for claim in kept("validation_drying")["claims"]:
         if claim["metric"] == "water_left" and "figures of the source" in claim["why"]:
-            cells.append([escaped(claim["of"].replace("slice_", "").replace("_", " ")), claim["why"].split(";")[0].replace(": one constant can follow the whole curve", ""),
-                          shown(claim["measured"], ".2g"), "holds" if claim["holds"] else r"\textbf{missed}"])
+            cells.append([code(claim["of"]), escaped(claim["why"].split(";")[0].split(":")[0]), shown(claim["measured"], ".2g"), "holds" if claim["holds"] else r"\textbf{missed}"])
     return rows(cells)
 
 
@@ -305,5 +309,5 @@ def newest_day():
 TABLES = {f.__name__: f for f in (figures, missed, departures, orders, surface, surface_head, accuracy, effects, timings, machines, drying)}
 DERIVED = {f.__name__: f for f in (claims_made, claims_held, items_kept, items_of_paper, items_that_hold, items_that_miss,
                                    items_without_a_record, orders_made, orders_held, orders_missed, stability_cases, stability_safe,
-                                   stability_least, stability_most, timings_run, least_timing_ratio, most_timing_ratio, newest_day)}
+                                   stability_least, stability_most, least_influence, timings_run, least_timing_ratio, most_timing_ratio, newest_day)}
 FUNCTIONS = {"table": TABLES, "derived": DERIVED}
