@@ -110,7 +110,7 @@ def escaped(text):
     text = text.replace(">=", r"$\ge$").replace("<=", r"$\le$").replace("+-", r"$\pm$").replace("<", "$<$").replace(">", "$>$")
     text = re.sub(rf"(?<![A-Za-z_])({GREEK}|[A-Za-z])_(\w+)", index, text)
     text = re.sub(rf"(?<![A-Za-z\\_])({GREEK})(?![A-Za-z_])", r"$\\\1$", text)
-    return re.sub(r"(?<!\\)_(?!\{)", r"\\_", text).replace(" - ", " $-$ ")
+    return re.sub(r"(?<!\\)_(?!\{)", r"\\_", text).replace(" - ", " $-$ ").replace(r" \%", r"\,\%")
 
 
 GREEK = "alpha|beta|theta|kappa|lambda|tau|eta|rho|nu|sigma"
@@ -214,4 +214,4 @@ def bare_numbers(text):
         return re.sub(r"[^\n]", " ", rest)
 
     left = ALLOWED.sub(blank, text)
-    return [(left.count("\n", 0, m.start()) + 1, m[0]) for m in re.finditer(r"[A-Za-z]*\d[\w.,]*", left)]
+    return [(left.count("\n", 0, m.start()) + 1, m[0]) for m in re.finditer(r"[A-Za-z]*\d[\w.,]*(?:[-+]\d+)?", left)]
