@@ -42,7 +42,8 @@ def set_pdf(folder):
 
 
 def main():
-    parser = argparse.ArgumentParser(prog="bake paper", description="Sets the reproduction report from stored results, without any simulation.")
+    parser = argparse.ArgumentParser(prog="bake paper",
+                                     description="Sets the reproduction report from stored results, without any simulation.")
     parser.add_argument("--out", metavar="FOLDER", default="results/paper", type=pathlib.Path, help="where to write it (results/paper)")
     parser.add_argument("--tex-only", action="store_true", help="write the text with its numbers, article.tex, and no PDF")
     arguments = parser.parse_args()

@@ -8,7 +8,8 @@ A reference is written <<file: key>> or <<file: key | format>>, with the file's 
 A key is names separated by points, each followed by selectors in brackets, if it is a list: a number counts from 0, and conditions
 name=text, several with a semicolon between them, keep what fulfils them (name~text: what contains the text). A name with points in it stands
 in quotes. What is asked for must be there once. Formats are those of Python (.2f), after a factor if one is given (*1000 .0f); % is a factor of
-100 with its sign, date the day of a time, text words, short the first letters of an identity, and count the number of elements of a list. Without a format a number has three digits.
+100 with its sign, date the day of a time, text words, short the first letters of an identity, and count the number of elements of a list.
+Without a format a number has three digits.
 
 <<table: name>> and <<derived: name>> are functions of tables.py.
 """
@@ -197,7 +198,7 @@ ALLOWED = re.compile(
     r"(?<!\\)%[^\n]*"
     r"|<<.*?>>"
     r"|\\begin\{(equation|align)\*?\}.*?\\end\{\1\*?\}"
-    r"|\\(?:name|paper|quoted|ref|label|cite|url|input|bibitem|chart|photo|begin|end|includegraphics|code)(?:\[[^\]]*\])?\{[^{}]*\}(?:\{[^{}]*\})?"
+    r"|\\(?:name|paper|quoted|ref|label|cite|url|input|chart|photo|begin|end|code)(?:\[[^\]]*\])?\{[^{}]*\}(?:\{[^{}]*\})?"
     r"|\\href\{[^{}]*\}|P\{[^{}]*\}|\\cmidrule\([lr]*\)\{[^{}]*\}|\\multicolumn\{\d\}|\\textsuperscript\{\d\}"
     r"|[_^](?:\{[^{}]*\}|\w)",
     re.DOTALL)

@@ -122,8 +122,12 @@ def items_without_a_record():
 
 
 def departures():
-    return rows([escaped(c["equation"]), escaped(c["printed"]), escaped(c["instead"]),
-                 rf"{escaped(c['measured'])} \emph{{(right: {escaped(c['expected'])})}}", shown(c["published"]), shown(c["standard"])] for c in get("paper/departures.json", "consequences"))
+    cells = []
+    for c in get("paper/departures.json", "consequences"):
+        measured = rf"{escaped(c['measured'])} \emph{{(right: {escaped(c['expected'])})}}"
+        cells.append([escaped(c["equation"]), escaped(c["printed"]), escaped(c["instead"]), measured, shown(c["published"]),
+                      shown(c["standard"])])
+    return rows(cells)
 
 
 def orders():
@@ -149,7 +153,8 @@ def orders_held():
 
 
 def orders_missed():
-    return "; ".join(escaped(f"{o['case'].replace('_', ' ')}, {o['quantity']}") for o in get("paper/orders.json", "orders") if not o["holds"])
+    missed_ones = [o for o in get("paper/orders.json", "orders") if not o["holds"]]
+    return "; ".join(escaped(f"{o['case'].replace('_', ' ')}, {o['quantity']}") for o in missed_ones) or "none"
 
 
 def surface():
@@ -294,7 +299,8 @@ def drying():
     cells = []
     for claim in kept("validation_drying")["claims"]:
         if claim["metric"] == "water_left" and "figures of the source" in claim["why"]:
-            cells.append([code(claim["of"]), escaped(claim["why"].split(";")[0].split(":")[0]), shown(claim["measured"], ".2g"), "holds" if claim["holds"] else r"\textbf{missed}"])
+            cells.append([code(claim["of"]), escaped(claim["why"].split(";")[0].split(":")[0]), shown(claim["measured"], ".2g"),
+                          "holds" if claim["holds"] else r"\textbf{missed}"])
     return rows(cells)
 
 
