@@ -42,7 +42,7 @@ Measurement distance(const Metric& metric, const Results& run, MetricPlace place
   double sum = 0;
   for (std::size_t i = 0; i < times_s.size(); ++i) {
     place.time_s = times_s[i];
-    const Measurement m = measure(metric, run, place);
+    Measurement m = measure(metric, run, place);
     if (!m.is_number()) return m;
     sum += (m.value - values[i]) * (m.value - values[i]);
   }

@@ -436,6 +436,7 @@ void Engine<Real>::change_velocities(std::size_t slot, const NodeSums<Real>* sum
   template void Engine<Real>::update_grid();                                                                                         \
   template void Engine<Real>::update_block(std::size_t, const Air&, const Step<Real>&, Budget&);                                     \
   template void Engine<Real>::touch_colliders();                                                                                     \
+  template void Engine<Real>::find_fall(Lanes<Real>(&)[3]) const;                                                                    \
   template void Engine<Real>::damp(std::size_t, const NodeSums<Real>*, Lanes<Real>(*)[k_most_channels], Budget&) const;              \
   template Vector3 Engine<Real>::touched(std::size_t, int, const NodeSums<Real>*, const Point&, const Vector3&, const NodesAround*); \
   template double Engine<Real>::face_beyond_grip() const;                                                                            \

@@ -110,9 +110,10 @@ void Sheets<Real>::give_slots() {
   for_each_corner([&](const Elements& elements, std::size_t corner) { ++next[static_cast<std::size_t>(elements.vertex[corner]) + 1]; });
   for (std::size_t v = 0; v < position_.size(); ++v) next[v + 1] += next[v];
   first_slot_ = next;
-  slots_.assign(3 * (first_slot_.back() + 1), Real(0));
-  for (Elements* elements : {&triangles_, &hinges_})
-    std::fill(elements->slot.begin(), elements->slot.end(), static_cast<std::int32_t>(first_slot_.back()));
+  // what only fills a pack writes behind them: triangles and hinges apart, since two threads may do so at once
+  slots_.assign(3 * (first_slot_.back() + 2), Real(0));
+  std::fill(triangles_.slot.begin(), triangles_.slot.end(), static_cast<std::int32_t>(first_slot_.back()));
+  std::fill(hinges_.slot.begin(), hinges_.slot.end(), static_cast<std::int32_t>(first_slot_.back() + 1));
   for_each_corner([&](Elements& elements, std::size_t corner) {
     elements.slot[corner] = static_cast<std::int32_t>(next[static_cast<std::size_t>(elements.vertex[corner])]++);
   });

@@ -97,7 +97,7 @@ class Sheets {
   std::vector<Tiles> tiles_;  ///< of the home blocks
   Elements triangles_, hinges_;
   std::vector<std::size_t> first_slot_;  ///< of a vertex; its slots end where the next one's begin
-  std::vector<Real> slots_;              ///< [slot][3]; one more than the vertices have, for elements that fill a pack
+  std::vector<Real> slots_;              ///< [slot][3]; two more than the vertices have, for elements that only fill a pack
   std::vector<Real> force_;              ///< [vertex][3]
   std::vector<SkinSums> partial_;
   SkinSums sums_;

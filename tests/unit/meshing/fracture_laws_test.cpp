@@ -7,6 +7,7 @@
 
 #include "meshing/fracture/breaking.h"
 #include "meshing/fracture/census.h"
+#include "meshing/fracture/depth.h"
 #include "meshing/fracture/positions.h"
 #include "meshing/tets/lattice_mesher.h"
 #include "solver/core/vector3.h"
@@ -83,6 +84,21 @@ TEST(FractureLaw, EveryPieceIsClosedAndTheVolumeIsKept) {
       const auto piece_of = pieces(topology, broken);
       for (std::size_t v = 0; v < volumes.size(); ++v) expected[piece_of[v]] += volumes[v];
       for (std::size_t p = 0; p < found.size(); ++p) expect_near(found[p].volume_m3, expected[p], 1e-12);
+    }
+  });
+  EXPECT_TRUE(holds);
+}
+
+TEST(FractureLaw, NodesStayInsideTheRimOfWhatTheyBelongTo) {
+  const bool holds = rc::check([] {
+    const Topology topology = random_mesh();
+    const CutSurface surface = cut(topology, random_break(topology));
+    const MaterialShape shape = material_shape(topology, surface, 10);
+    for (std::size_t n = 0; n < surface.nodes.size(); ++n) {
+      const int size = surface.nodes[n].size();
+      const double least = size == 1 ? 1 : size == 2 ? 0.2 : 0.1;
+      for (int i = 0; i < size; ++i) RC_ASSERT(shape.shares[n][i] >= least - 1e-9);
+      expect_near(std::accumulate(shape.shares[n].begin(), shape.shares[n].end(), 0.0), 1, 1e-12);
     }
   });
   EXPECT_TRUE(holds);
@@ -169,7 +185,116 @@ TEST(Fracture, AlongAPlaneMakesOneFlatCrackOfItsArea) {
   EXPECT_EQ(parts.size(), 2u);
 }
 
+TEST(Cracks, AreSortedAndMeasuredAlikeEverywhere) {
+  const TetMesh mesh = lattice_tets(*brick({0.5, 0.2, 0.1}), 1500);
+  const Vector3 away{5, 3, -2};
+  TetMesh moved = mesh;
+  for (Point& x : moved.points) x = x + away;
+  for (const double side : {-0.25, 0.25}) {  // a crack all through on one side, and one of half its size on the other
+    const Topology topology = make_topology(mesh);
+    Broken broken(topology.edges.size(), -1);
+    for (std::size_t e = 0; e < broken.size(); ++e) {
+      const Point &a = topology.mesh.points[topology.edges[e][0]], &b = topology.mesh.points[topology.edges[e][1]];
+      const bool through = (a[0] - side) * (b[0] - side) < 0, half = (a[0] + side) * (b[0] + side) < 0 && a[1] + b[1] < 0;
+      if (through || half) broken[e] = 0;
+    }
+    const CutSurface surface = cut(topology, broken);
+    const auto here = cracks(surface, material_shape(topology, surface, 8).points),
+               there = cracks(surface, material_shape(make_topology(moved), surface, 8).points);
+    ASSERT_EQ(here.size(), 2u);
+    ASSERT_EQ(there.size(), 2u);
+    EXPECT_GT(here[0].area_m2, 1.5 * here[1].area_m2);
+    EXPECT_NEAR(here[0].centre_m[0], side, 0.03);
+    EXPECT_GT(here[0].length_m, 0.38);
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_NEAR(there[i].area_m2, here[i].area_m2, 1e-9);
+      EXPECT_NEAR(there[i].length_m, here[i].length_m, 1e-6);
+      EXPECT_LT(length(there[i].centre_m - away - here[i].centre_m), 1e-9);
+      EXPECT_LT(length(there[i].low_m - away - here[i].low_m), 1e-9);
+      EXPECT_LT(length(there[i].high_m - away - here[i].high_m), 1e-9);
+    }
+  }
+}
+
 Topology one_tet() { return make_topology(TetMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}}); }
+
+TEST(Fracture, CutsATetrahedronBetweenCornersThatNoWholeEdgesConnect) {
+  const Topology topology = one_tet();
+  for (int mask = 0; mask < 64; ++mask) {
+    Broken broken(topology.edges.size());
+    for (std::size_t e = 0; e < broken.size(); ++e) broken[e] = (mask >> e & 1) != 0 ? 0 : -1;
+    const std::vector<std::int32_t> piece = pieces(topology, broken);
+    std::size_t apart = 0;
+    for (const auto& [a, b] : topology.edges) apart += piece[a] != piece[b];
+    const CutSurface surface = cut(topology, broken);
+    EXPECT_EQ(surface.triangles.size() - surface.skin_triangles, 4 * apart) << "broken edges as bits: " << mask;  // two sides of two
+  }
+}
+
+TEST(Depth, IsTheDistanceFromTheBoundary) {
+  const auto depth = depth_in(one_tet());
+  EXPECT_NEAR(depth({0.1, 0.2, 0.25}), 0.1, 1e-12);
+  EXPECT_NEAR(depth({0.25, 0.25, 0.25}), 0.25 / std::sqrt(3), 1e-12);
+}
+
+/// Vertex 3 has parted from the others: its edges to the vertices 0, 1, 2 broke in these frames.
+Broken parted(const Topology& topology, const std::array<std::int32_t, 3>& frames) {
+  Broken broken(topology.edges.size(), -1);
+  for (std::size_t e = 0; e < broken.size(); ++e)
+    if (topology.edges[e][1] == 3) broken[e] = frames[topology.edges[e][0]];
+  return broken;
+}
+
+/// Calls it with each node of a crack on the side of the vertices 0, 1 and 2 and the last frame in which an edge of theirs broke.
+void for_nodes_of_the_triangle(const CutSurface& surface, const Broken& broken, const Topology& topology,
+                               const std::function<void(std::size_t, int)>& visit) {
+  for (std::size_t n = 0; n < surface.nodes.size(); ++n) {
+    const CutNode& node = surface.nodes[n];
+    int last = -1;
+    bool is_on_side = !node.owns_all();
+    for (int i = 0; i < node.size(); ++i) {
+      if (!node.owns(i)) continue;
+      is_on_side = is_on_side && node.vertices[i] != 3;
+      for (std::size_t e = 0; e < broken.size(); ++e)
+        if (topology.edges[e] == std::array<std::int32_t, 2>{node.vertices[i], 3}) last = std::max(last, broken[e]);
+    }
+    if (is_on_side) visit(n, last);
+  }
+}
+
+TEST(NodePositions, AreTurnedByEdgesOfOnePlaneAlready) {
+  const Topology topology = one_tet();
+  const Broken broken = parted(topology, {0, 0, 0});
+  const CutSurface surface = cut(topology, broken);
+  const MaterialShape shape = material_shape(topology, surface, 0);
+  const auto turned = [](const Point& x) { return Point{x[0], -x[1], -x[2]}; };  // half a turn, no mirror image
+  std::vector<Point> positions;
+  for (const Point& x : topology.mesh.points) positions.push_back(turned(x));
+  const std::vector<Point> nodes = node_positions(topology, surface, shape, broken, 100, positions);
+  int count = 0;
+  for_nodes_of_the_triangle(surface, broken, topology, [&](std::size_t n, int) {
+    ++count;
+    EXPECT_LT(length(nodes[n] - turned(shape.points[n])), 1e-4);
+  });
+  EXPECT_EQ(count, 7);  // of three edges, three faces and the tetrahedron
+}
+
+TEST(NodePositions, PartOverFourFramesAfterTheLastEdgeBroke) {
+  const Topology topology = one_tet();
+  const Broken broken = parted(topology, {10, 12, 11});
+  const CutSurface surface = cut(topology, broken);
+  const MaterialShape shape = material_shape(topology, surface, 0);
+  std::vector<Point> positions = topology.mesh.points;
+  positions[3][2] += 4;
+  for (const int frame : {10, 11, 12, 13, 15, 16, 30}) {
+    const std::vector<Point> nodes = node_positions(topology, surface, shape, broken, frame, positions);
+    for_nodes_of_the_triangle(surface, broken, topology, [&](std::size_t n, int last) {
+      const double share_of_3 = shape.shares[n][surface.nodes[n].size() - 1], open = std::clamp((frame - last) / 4.0, 0.0, 1.0);
+      const Point expected = shape.points[n] + Point{0, 0, (1 - open) * 4 * share_of_3};
+      EXPECT_LT(length(nodes[n] - expected), 1e-4) << "frame " << frame << ", broken at " << last;
+    });
+  }
+}
 
 TEST(Breaking, NeedsBothBoundsInTwoFramesAndNeverHeals) {
   const Topology topology = one_tet();

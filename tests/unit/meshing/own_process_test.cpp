@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 
@@ -72,6 +73,17 @@ TEST(AProcessOfItsOwn, IsKeptFromTakingAllMemory) {
                 {60, 1e9}),
             "it took more than 1 GB of memory");
 }
+
+TEST(AProcessOfItsOwn, MayTakeItsMemoryBesidesWhatTheProgramHas) {
+  const std::unique_ptr<char[]> has(new char[2'000'000'000]);  // never touched: only address space
+  EXPECT_EQ(why_not(
+                [&](const Tell&) {
+                  const std::vector<char> more(300'000'000, has == nullptr);
+                  return k_mesh;
+                },
+                {60, 1e9}),
+            "");
+}
 #endif
 
 TEST(AnEffort, BeyondTheMachineIsRefusedWithTheEstimate) {
@@ -79,6 +91,8 @@ TEST(AnEffort, BeyondTheMachineIsRefusedWithTheEstimate) {
   const std::string error = message_of<InputError>([] { require_effort("100000000 vertices", lattice_effort(1e8)); });
   EXPECT_EQ(error.substr(0, error.find(", allowed: ")), "100000000 vertices would take about 83 min and 100 GB of memory");
   EXPECT_THROW(require_effort("edges of 1e-9 m", skin_effort(1, 1e-9)), InputError);
+  EXPECT_THROW(require_effort("too long", {3601, 1e6}), InputError);
+  EXPECT_THROW(require_effort("too large", {1, 1e18}), InputError);
 }
 
 }  // namespace

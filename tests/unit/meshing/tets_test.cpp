@@ -6,6 +6,7 @@
 
 #include "meshing/tets/even_volumes.h"
 #include "meshing/tets/lattice_mesher.h"
+#include "meshing/tets/manifold.h"
 #include "meshing/tets/surface_foot.h"
 #include "solver/core/errors.h"
 #include "solver/core/vector3.h"
@@ -126,6 +127,90 @@ TEST(Tets, OfWhatCannotBeFilledAreRefused) {
   EXPECT_EQ(error_of(*ball(), 4), "4 vertices are too few to fill the shape with tetrahedra");
 }
 
+const TetMesh k_corner{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}};
+
+TEST(ATetMesh, IsMeasured) {
+  const TetQuality quality = tet_quality(k_corner);
+  EXPECT_NEAR(quality.volume, 1.0 / 6, 1e-15);
+  EXPECT_NEAR(quality.least_angle, std::acos(1 / std::sqrt(3)) * 180 / M_PI, 1e-9);
+  EXPECT_EQ(quality.boundary, 4u);
+  EXPECT_EQ(quality.loose, 0u);
+  EXPECT_EQ(quality.odd_edges, 0u);
+}
+
+TEST(ATetMesh, WithThreeTetrahedraAtAFaceIsRefused) {
+  EXPECT_EQ(message_of<InputError>([] {
+              tet_neighbours({{0, 1, 2, 3}, {0, 1, 2, 4}, {0, 1, 2, 5}}, 6);
+            }),
+            "three tetrahedra share the face of vertices 0, 1 and 2, allowed: two");
+}
+
+TEST(OddEdges, AreThoseWithoutTwoTrianglesOfOppositeDirections) {
+  const std::vector<Triangle> closed = boundary_triangles(k_corner.tets, tet_neighbours(k_corner.tets, 4));
+  EXPECT_EQ(count_odd_edges(closed), 0u);
+  std::vector<Triangle> open = closed, turned = closed, touching = closed;
+  open.pop_back();
+  EXPECT_EQ(count_odd_edges(open), 3u);
+  std::swap(turned[0][0], turned[0][1]);
+  EXPECT_EQ(count_odd_edges(turned), 3u);
+  for (const Triangle& t : closed) {  // another body, which shares the edge from 2 to 3
+    touching.push_back(t);
+    for (std::int32_t& v : touching.back()) v += v < 2 ? 10 : 0;
+  }
+  EXPECT_EQ(count_odd_edges(touching), 1u);
+}
+
+/// Eight tetrahedra around a centre, the only inner vertex.
+TetMesh octahedron(const Point& centre, double radius) {
+  TetMesh mesh{{centre}, {}};
+  for (int i = 0; i < 3; ++i)
+    for (const double sign : {-radius, radius}) {
+      mesh.points.push_back(centre);
+      mesh.points.back()[i] += sign;
+    }
+  for (const std::int32_t x : {1, 2})
+    for (const std::int32_t y : {3, 4})
+      for (const std::int32_t z : {5, 6}) mesh.tets.push_back((x + y + z) % 2 == 0 ? Tet{0, x, y, z} : Tet{0, y, x, z});
+  return mesh;
+}
+
+/// Both meshes as one, with one vertex where both have one.
+TetMesh together(TetMesh a, const TetMesh& b) {
+  for (Tet tet : b.tets) {
+    for (std::int32_t& v : tet) {
+      const Point& x = b.points[v];
+      v = static_cast<std::int32_t>(std::find(a.points.begin(), a.points.end(), x) - a.points.begin());
+      if (v == static_cast<std::int32_t>(a.points.size())) a.points.push_back(x);
+    }
+    a.tets.push_back(tet);
+  }
+  return a;
+}
+
+TetMesh manifold_part_of(const TetMesh& mesh) { return manifold_part(mesh.points, mesh.tets, std::vector<char>(mesh.tets.size(), 1)); }
+
+TEST(TheManifoldPart, IsTheLargerOfWhatTouchesAtAVertexOrAnEdge) {
+  const TetMesh small = octahedron({-1, 0, 0}, 1), large = octahedron({2, 0, 0}, 2), beside = octahedron({0, 1, 0}, 1);
+  ASSERT_NEAR(volume(large), 4.0 / 3 * 8, 1e-12);
+  for (const TetMesh& mesh : {together(small, large), together(large, small)}) {
+    ASSERT_EQ(mesh.points.size(), 13u) << "one vertex belongs to both";
+    const TetMesh part = manifold_part_of(mesh);
+    EXPECT_NEAR(volume(part), volume(large), 1e-12);
+    EXPECT_EQ(part.points.size(), 7u);
+  }
+  const TetMesh at_an_edge = together(small, beside);
+  ASSERT_EQ(at_an_edge.points.size(), 12u) << "two vertices belong to both";
+  EXPECT_NEAR(volume(manifold_part_of(at_an_edge)), volume(small), 1e-12);
+}
+
+TEST(TheManifoldPart, HasNoShredsWithoutAnInnerVertex) {
+  const TetMesh body = octahedron({0, 0, 0}, 1), far = octahedron({5, 0, 0}, 0.1);
+  TetMesh shred = k_corner;
+  for (Point& x : shred.points) x = x + Point{10, 0, 0};
+  EXPECT_NEAR(volume(manifold_part_of(together(together(shred, body), far))), volume(body) + volume(far), 1e-12);
+  EXPECT_TRUE(manifold_part_of(shred).tets.empty());
+}
+
 TEST(SurfaceFoot, IsOnTheSurfaceAndNear) {
   const ShapePtr loaf = slit_loaf();
   for (const Point& x : {Point{0.3, 0.1, 0.2}, Point{-0.1, 0.2, 0.19}, Point{0.02, 0, 0.12}}) {
@@ -145,6 +230,12 @@ TEST(SurfaceFoot, FindsCreasesAndCornersButNotBends) {
   EXPECT_LT(length(corner.at - Point{0.1, 0.08, 0.06}), 1e-6);
   EXPECT_EQ(sharpest_near(*box, {0.05, 0.08, 0.01}, 0.02).faces, 1);
   EXPECT_EQ(sharpest_near(*ball(0.02), {0.02, 0, 0}, 0.02).faces, 1) << "round, if strongly";
+  for (const auto& [between_normals_deg, faces] : {std::pair{10, 1}, {30, 2}, {60, 2}}) {
+    const double half = between_normals_deg * M_PI / 360;
+    const ShapePtr roof = make_intersection({make_half_space({0, 0, 0}, {std::sin(half), 0, std::cos(half)}),
+                                             make_half_space({0, 0, 0}, {-std::sin(half), 0, std::cos(half)})});
+    EXPECT_EQ(sharpest_near(*roof, {0.005, 0, -0.005 * std::tan(half)}, 0.02).faces, faces) << between_normals_deg;
+  }
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "meshing/skin/skin.h"
 #include "meshing/solid/cleaning.h"
+#include "meshing/solid/polygon_soup.h"
 #include "meshing/solid/triangle_mesh.h"
 #include "meshing/tets/feature_mesher.h"
 #include "meshing/tets/lattice_mesher.h"
@@ -145,7 +146,7 @@ TEST_F(ASurfaceFile, ThatIsNoneSaysWhy) {
   EXPECT_EQ(error_of("a.stl", "hello"), "a.stl: is no STL file: it does not begin with 'solid' and is too short for a binary one");
   EXPECT_EQ(error_of("a.off", "hello"), "a.off: is damaged: it does not begin with OFF");
   EXPECT_EQ(error_of("a.ply", "hello"), "a.ply: is damaged: it does not begin with ply");
-  EXPECT_EQ(error_of("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n"), "a.off: face 0: found vertex 7, allowed: 0 to 2");
+  EXPECT_EQ(error_of("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"), "a.off: face 0: found vertex 3, allowed: 0 to 2");
   EXPECT_EQ(error_of("a.off", "OFF\n8 12 0\n0 0 0\n0 0\n"), "a.off: line 4: found the end of the line, allowed: a number");
   EXPECT_EQ(error_of("a.off", "OFF\n8 12 0\n0 0 0\n"), "a.off: is damaged: it ends behind 1 of its 8 vertices");
   EXPECT_EQ(error_of("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n999999999 0 1 2\n"),
@@ -196,11 +197,15 @@ TEST_F(ASurfaceFile, WithRepeatedCornersIsJoined) {
 }
 
 TEST_F(ASurfaceFile, WithCornersARoundingApartIsJoined) {
-  const TriangleMesh mesh = read("cube.stl", as_stl(with_own_corners(cube({1, 1, 1}), 2e-7)));
-  EXPECT_EQ(mesh.points.size(), 8u);
-  EXPECT_NEAR(enclosed_volume(mesh), 1e-3, 1e-7);
-  EXPECT_NE(said_.find("joined that were up to "), std::string::npos) << said_;
-  EXPECT_NE(error_of("gaps.stl", as_stl(with_own_corners(cube({1, 1, 1}), 1e-4))).find("gaps.stl: is open at the edge"), std::string::npos);
+  for (const double apart_m : {2e-7, 8e-6}) {
+    const TriangleMesh mesh = read("cube.stl", as_stl(with_own_corners(cube({1, 1, 1}), apart_m)));
+    EXPECT_EQ(mesh.points.size(), 8u);
+    EXPECT_NEAR(enclosed_volume(mesh), 1e-3, 1e-6);
+    EXPECT_NE(said_.find("joined that were up to "), std::string::npos) << said_;
+  }
+  // 2.9e-5 m apart, where 2e-5 of 1.1 m are joined
+  EXPECT_NE(error_of("gaps.stl", as_stl(with_own_corners(cube({1, 1, 1}), 1.2e-5))).find("gaps.stl: is open at the edge"),
+            std::string::npos);
 }
 
 TEST_F(ASurfaceFile, WithConcaveFacesIsSplitWithinThem) {
@@ -213,6 +218,25 @@ TEST_F(ASurfaceFile, WithConcaveFacesIsSplitWithinThem) {
   EXPECT_NEAR(enclosed_volume(mesh), 3, 1e-12);
   EXPECT_NEAR(area(mesh), 2 * 3 + 8, 1e-12);
   EXPECT_EQ(mesh.triangles.size(), 20u);
+}
+
+TEST_F(ASurfaceFile, WithAFaceThatTurnsInDeeplyIsSplitWithinIt) {
+  std::string text;  // a dart as prism, whose largest corner holds the one that turns in
+  for (const char* z : {"0", "1"}) text += fmt::format("v 0 0 {0}\nv 4 0 {0}\nv 1 1 {0}\nv 0 4 {0}\n", z);
+  text += "f 4 3 2 1\nf 5 6 7 8\n";
+  for (int k = 0; k < 4; ++k) text += fmt::format("f {} {} {} {}\n", k + 1, (k + 1) % 4 + 1, (k + 1) % 4 + 5, k + 5);
+  const TriangleMesh mesh = read("dart.obj", text);
+  EXPECT_NEAR(enclosed_volume(mesh), 4, 1e-12);
+  EXPECT_NEAR(area(mesh), 2 * 4 + 8 + 2 * std::sqrt(10), 1e-12);
+}
+
+TEST_F(ASurfaceFile, IsCleanedAlikeAtEverySize) {
+  for (const double scale : {1e-8, 1.0, 1e6}) {
+    TriangleMesh mesh = cube();
+    for (Point& x : mesh.points) x = scale * x;
+    EXPECT_EQ(read("a.off", as_off(mesh)).triangles, cube().triangles);
+    EXPECT_EQ(said_.find("mended"), std::string::npos) << said_;
+  }
 }
 
 TEST_F(ASurfaceFile, WithCornersInALineOfAFaceHasNoFlatTriangles) {
@@ -274,13 +298,15 @@ TEST_F(ASurfaceFile, MayHoldWhatASurfaceDoesNotNeed) {
             8u);
 }
 
+template <class T>
+void append(std::string& to, T value, bool swapped = false) {
+  auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
+  if (swapped) std::reverse(bytes.begin(), bytes.end());
+  to.append(bytes.data(), bytes.size());
+}
+
 TEST_F(ASurfaceFile, InBinaryIsRead) {
   const TriangleMesh mesh = cube();
-  const auto append = []<class T>(std::string& to, T value, bool swapped = false) {
-    auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(value);
-    if (swapped) std::reverse(bytes.begin(), bytes.end());
-    to.append(bytes.data(), bytes.size());
-  };
   std::string stl = "solid, though binary";
   stl.resize(80, ' ');
   append(stl, static_cast<std::uint32_t>(mesh.triangles.size()));
@@ -306,6 +332,39 @@ TEST_F(ASurfaceFile, InBinaryIsRead) {
       append(ply, 1.5f, big);
     }
     EXPECT_NEAR(enclosed_volume(read("cube.ply", ply)), 1e-3, 1e-9);
+  }
+}
+
+TEST_F(ASurfaceFile, InBinaryMayHaveNumbersOfEveryType) {
+  const auto expect_read = [&]<class T>(std::initializer_list<const char*> types, T value) {
+    for (const char* type : types) {
+      std::string ply = fmt::format(
+          "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty {0} x\nproperty {0} y\nproperty {0} z\nend_header\n", type);
+      for (int i = 0; i < 3; ++i) append(ply, value);
+      std::ofstream(folder_ / "a.ply", std::ios::binary) << ply;
+      const auto is = static_cast<double>(value);
+      EXPECT_EQ(read_polygon_soup(folder_ / "a.ply").points, (std::vector<Point>{{is, is, is}})) << type;
+    }
+  };
+  expect_read({"char", "int8"}, std::int8_t{-100});
+  expect_read({"uchar", "uint8"}, std::uint8_t{200});
+  expect_read({"short", "int16"}, std::int16_t{-30000});
+  expect_read({"ushort", "uint16"}, std::uint16_t{60000});
+  expect_read({"int", "int32"}, std::int32_t{-2'000'000'000});
+  expect_read({"uint", "uint32"}, std::uint32_t{4'000'000'000});
+  expect_read({"float", "float32"}, -1.5e-30f);
+  expect_read({"double", "float64"}, -1.5e-300);
+}
+
+TEST_F(ASurfaceFile, LargerThanWhatIsBakedIsDoubted) {
+  for (int axis = 0; axis < 3; ++axis) {
+    TriangleMesh mesh = cube();
+    for (Point& x : mesh.points) x[axis] *= 200;
+    read("a.off", as_off(mesh));
+    EXPECT_EQ(said_, "");
+    for (Point& x : mesh.points) x[axis] *= 1.05;
+    read("a.off", as_off(mesh));
+    EXPECT_NE(said_.find("is 21 m across"), std::string::npos) << said_;
   }
 }
 
@@ -362,7 +421,10 @@ TEST_F(ASurfaceFile, WithAHollowIsAllowed) {
   TriangleMesh hollow = cube();
   for (Point& x : hollow.points) x = 0.5 * x + Point{0.02, 0.02, 0.02};
   for (Triangle& t : hollow.triangles) std::swap(t[0], t[1]);
-  EXPECT_NEAR(enclosed_volume(read("a.off", as_off(together(cube(), hollow)))), 1e-3 * (1 - 0.125), 1e-9);
+  TriangleMesh both = together(cube(), hollow);
+  EXPECT_NEAR(enclosed_volume(read("a.off", as_off(both))), 1e-3 * (1 - 0.125), 1e-9);
+  std::swap(both.triangles[0][0], both.triangles[0][1]);
+  EXPECT_NEAR(enclosed_volume(read("a.off", as_off(both))), 1e-3 * (1 - 0.125), 1e-9) << "a triangle of the outer shell is turned";
 }
 
 TEST(FeatureTets, KeepEdgesAndCornersAndTheVolume) {
@@ -399,6 +461,7 @@ TEST(Skin, IsEvenClosedAndLooksOutwards) {
   expect_even(*ball(), round, 0.01);
   EXPECT_NEAR(enclosed_volume(round), 4.0 / 3 * M_PI * 1e-3, 0.01 * 4.0 / 3 * M_PI * 1e-3);
   EXPECT_NEAR(area(round), 4 * M_PI * 0.01, 0.01 * 4 * M_PI * 0.01);
+  EXPECT_FALSE(has_sharp_edges(round));
 }
 
 TEST(Skin, TellsItsPhases) {
