@@ -24,20 +24,18 @@ def fail(code, message):
 
 
 def set_pdf(folder):
-    """Runs LaTeX until the references are settled: three times at most."""
+    """Runs LaTeX three times: twice without pictures, until its own references are settled."""
     day = calendar.timegm(time.strptime(tables.newest_day(), "%Y-%m-%d"))
     environment = dict(os.environ, SOURCE_DATE_EPOCH=str(day), FORCE_SOURCE_DATE="1", TEXINPUTS=f".:{stored.ROOT}:",
                        max_print_line="1000")
-    for _ in range(3):
-        done = subprocess.run(["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "article.tex"], cwd=folder, env=environment,
+    for mode in (["-draftmode"], ["-draftmode"], []):
+        done = subprocess.run(["pdflatex", *mode, "-interaction=nonstopmode", "-halt-on-error", "article.tex"], cwd=folder, env=environment,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
         log = (folder / "article.log").read_text(encoding="utf-8", errors="replace") if (folder / "article.log").is_file() else ""
         if done.returncode != 0:
             wrong = [line for line in log.splitlines() if line.startswith("!") or line.startswith("l.")]
             fail(3, f"LaTeX failed: {' '.join(wrong[:2]) or 'no message'}; its log is {folder / 'article.log'}")
-        if "Rerun to get" not in log and "No file article.aux" not in log:
-            break
-    if "undefined" in log:
+    if "undefined" in log or "Rerun to get" in log:
         fail(3, f"a reference within the article is undefined; see {folder / 'article.log'}")
 
 
