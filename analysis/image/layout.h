@@ -41,6 +41,7 @@ inline Layout layout_of(const std::vector<std::string>& rows) {
   Layout layout;
   layout.rows = static_cast<int>(rows.size());
   std::vector<std::vector<std::string>> cells;
+  cells.reserve(rows.size());
   for (const std::string& row : rows) cells.push_back(names_of_row(row));
   if (cells.empty() || cells.front().empty()) return {{}, 0, 0, "found no cell, allowed: rows of names"};
   layout.columns = static_cast<int>(cells.front().size());

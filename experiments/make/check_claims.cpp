@@ -88,7 +88,7 @@ nlohmann::json pictures_of(const Figure& figure) {
     for (const Place& place : layout_of(montage.rows).places) tiles.insert(place.name);
   }
   for (const FigurePicture& picture : figure.pictures)
-    if (!tiles.count(picture.name)) pictures.push_back(json_of(picture));
+    if (!tiles.contains(picture.name)) pictures.push_back(json_of(picture));
   return pictures;
 }
 

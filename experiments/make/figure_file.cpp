@@ -89,12 +89,12 @@ Figure part_of(const Figure& figure, const FigurePicture& picture) {
     part.claims.push_back(std::move(claim));
   }
   for (const FigureSurface& surface : figure.surfaces)
-    if (needed.count(surface.name)) {
+    if (needed.contains(surface.name)) {
       part.surfaces.push_back(surface);
       needed.insert(surface.run);
     }
   for (const FigureRun& run : figure.runs)
-    if (needed.count(run.name)) part.runs.push_back(run);
+    if (needed.contains(run.name)) part.runs.push_back(run);
   return part;
 }
 

@@ -32,6 +32,7 @@ std::vector<int> frames_of(const Results& run) {
 std::vector<int> frames_beside(const Results& leader, const std::vector<int>& frames, const Results& run) {
   const std::vector<double> times = leader.column("time_s"), own = run.column("time_s");
   std::vector<int> beside;
+  beside.reserve(frames.size());
   for (const int frame : frames)
     beside.push_back(std::max(first_frame(run), run.frame_at(std::min(times[static_cast<std::size_t>(frame)], own.back()))));
   beside.erase(std::unique(beside.begin(), beside.end()), beside.end());

@@ -252,6 +252,7 @@ PackedBody packed(const Body& body, const Scale& scale, bool particles) {
 
 std::vector<PackedBody> packed_bodies(const std::vector<fs::path>& folders, bool particles) {
   std::vector<Body> bodies;
+  bodies.reserve(folders.size());
   for (const fs::path& folder : folders)
     if (!fs::exists(folder / "look.json"))
       throw InputError(fmt::format("{}: missing; make the figure again", (folder / "look.json").string()));
@@ -259,6 +260,7 @@ std::vector<PackedBody> packed_bodies(const std::vector<fs::path>& folders, bool
   for (const fs::path& folder : folders) bodies.push_back(read_body(folder, fields));
   const Scale scale(bodies, fields);
   std::vector<PackedBody> made;
+  made.reserve(bodies.size());
   for (const Body& body : bodies) made.push_back(packed(body, scale, particles));
   return made;
 }

@@ -75,6 +75,7 @@ Bytes packed_mesh(const Mesh& mesh, const Cube& cube, const std::vector<std::pai
     const MeshField* field = mesh.find(name);
     if (!field || field->components != 1) throw InputError(fmt::format("{}: has no field '{}': make the figure again", file, name));
     std::vector<std::uint8_t> codes;
+    codes.reserve(order.size());
     for (const std::size_t vertex : order) codes.push_back(range.code(field->values[vertex]));
     put_differences(bytes, codes);
   }
