@@ -30,7 +30,7 @@ def fill(text):
 
 class References(unittest.TestCase):
     def test_every_reference_of_the_article_leads_to_a_stored_value(self):
-        text = fill(TEXT)
+        text = stored.filled(TEXT, "paper/article/article.tex", tables.FUNCTIONS)
         self.assertGreater(len(stored.REFERENCE.findall(TEXT)), 80)
         self.assertNotIn("<<", text)
         self.assertNotRegex(text, r"\b(nan|inf|None)\b")
@@ -80,6 +80,12 @@ class References(unittest.TestCase):
         self.assertEqual(stored.escaped("theta_out - 5 %"), r"$\theta_{\mathrm{out}}$ $-$ 5\,\%")
         self.assertEqual(stored.escaped("apple_limp >= q^2"), r"apple\_limp $\ge$ q\textsuperscript{2}")
         self.assertEqual(stored.code("a_b"), r"\code{a\_b}")
+
+
+    def test_every_function_of_the_tables_is_named_in_the_article(self):
+        for kind, functions in tables.FUNCTIONS.items():
+            for name in functions:
+                self.assertIn(f"<<{kind}: {name}>>", TEXT)
 
 
 class Kept(unittest.TestCase):
