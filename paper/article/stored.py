@@ -6,10 +6,10 @@ A reference is written <<file: key>> or <<file: key | format>>, with the file's 
     <<paper/orders.json: orders[case=fick].value | .2f>>
 
 A key is names separated by points, each followed by selectors in brackets, if it is a list: a number counts from 0, and conditions
-name=text, several with a semicolon between them, keep what fulfils them (name~text: what contains the text). A name with points in it stands
-in quotes. What is asked for must be there once. Formats are those of Python (.2f), after a factor if one is given (*1000 .0f); % is a factor of
-100 with its sign, date the day of a time, text words, short the first letters of an identity, and count the number of elements of a list.
-Without a format a number has three digits.
+name=text, several with a semicolon between them, keep what fulfils them (name~text: what contains the text). A name with points in it
+stands in quotes. What is asked for must be there once. Formats are those of Python (.2f), after a factor if one is given (*1000 .0f); % is a factor
+of 100 with its sign, date the day of a time, text words, short the first letters of an identity, and count the number of elements of a
+list. Without a format a number has three digits.
 
 <<table: name>> and <<derived: name>> are functions of tables.py.
 """
@@ -192,8 +192,8 @@ def filled(text, name, functions):
     return REFERENCE.sub(replace, text)
 
 
-# What may hold a number that is no reference: names (Debian 12), places in the paper (Eq. 19), numbers quoted from a source, what LaTeX itself
-# reads, formulas set apart, and digits that are an index or a power.
+# What may hold a number that is no reference: names (Debian 12), places in the paper (Eq. 19), numbers quoted from a source, what LaTeX
+# itself reads, formulas set apart, and digits that are an index or a power.
 ALLOWED = re.compile(
     r"(?<!\\)%[^\n]*"
     r"|<<.*?>>"

@@ -311,5 +311,6 @@ def newest_day():
 TABLES = {f.__name__: f for f in (figures, missed, departures, orders, surface, surface_head, accuracy, effects, timings, machines, drying)}
 DERIVED = {f.__name__: f for f in (claims_made, claims_held, items_of_paper, items_that_hold, items_that_miss,
                                    items_without_a_record, orders_made, orders_held, orders_missed, stability_cases, stability_safe,
-                                   stability_least, stability_most, least_influence, timings_run, least_timing_ratio, most_timing_ratio, newest_day)}
+                                   stability_least, stability_most, least_influence, timings_run, least_timing_ratio,
+                                   most_timing_ratio, newest_day)}
 FUNCTIONS = {"table": TABLES, "derived": DERIVED}

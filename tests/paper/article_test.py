@@ -42,9 +42,11 @@ class References(unittest.TestCase):
         for reference, reason in (("paper/none.json: a", "no such file"), ("paper/orders.json: none", "no 'none' there"),
                                   ("paper/orders.json: orders[case=none].value", "0 elements fit, not one"),
                                   ("paper/orders.json: orders[case=slab_cosine].value", "2 elements fit, not one"),
-                                  ("paper/orders.json: orders[9999].value", "of 63 elements"), ("paper/orders.json: study[0]", "of what is no list"),
+                                  ("paper/orders.json: orders[9999].value", "of 63 elements"),
+                                  ("paper/orders.json: study[0]", "of what is no list"),
                                   ("paper/orders.json: study", "is text"), ("paper/orders.json: quick", "is no number"),
-                                  ("paper/orders.json: study | date", "is no date"), ("paper/orders.json: provenance | count", "is no list"),
+                                  ("paper/orders.json: study | date", "is no date"),
+                                  ("paper/orders.json: provenance | count", "is no list"),
                                   ("derived: none", "no such function"), ("README.md: a", "neither .json nor .toml")):
             with self.assertRaises(stored.Unknown) as raised:
                 fill(f"first line\nthe second <<{reference}>>")
@@ -67,12 +69,14 @@ class References(unittest.TestCase):
         self.assertEqual(stored.formatted([1, 2], "count"), "2")
 
     def test_numbers_in_a_text_are_found_wherever_they_stand(self):
-        for text in ("a loaf of 2.5 kg", "twice in 20 s", r"$\beta=100$", "37 claims", r"\paper{2.5}", r"\textbf{12}", "x 1e-5", "25\\,\\%"):
+        for text in ("a loaf of 2.5 kg", "twice in 20 s", r"$\beta=100$", "37 claims", r"\paper{2.5}", r"\textbf{12}", "x 1e-5",
+                     "25\\,\\%"):
             self.assertEqual(len(stored.bare_numbers("first line\n" + text)), 1, text)
             self.assertEqual(stored.bare_numbers("first line\n" + text)[0][0], 2, text)
 
     def test_references_places_names_quotes_and_indices_are_no_bare_numbers(self):
-        for text in ("<<paper/orders.json: orders[0].value | .2f>>", r"\paper{figure~15}", r"\paper{(Eq.~19)}", r"\name{Debian~12}", r"\cite{ding19}",
+        for text in ("<<paper/orders.json: orders[0].value | .2f>>", r"\paper{figure~15}", r"\paper{(Eq.~19)}", r"\name{Debian~12}",
+                     r"\cite{ding19}",
                      r"\quoted{the paper}{48 threads}", r"$\theta_0$ and $x^2$", "% 12 in a comment", r"\photo{loaf2.png}{0.5}"):
             self.assertEqual(stored.bare_numbers(text), [], text)
 
