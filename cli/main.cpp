@@ -18,6 +18,6 @@ int main(int count, char** words) {
   add_study_command(app, action);
   add_compare_command(app, action);
   add_help_commands(app, action);
-  app.footer("Through the script ./bake there are also the commands test, bench, mesh and render, and --no-install.");
+  app.footer("Through the script ./bake there are also the commands test, bench, mesh, render and paper, and --no-install.");
   return run_program(app, action, count, words);
 }

@@ -75,6 +75,15 @@ run mesh tets 'a b.toml'
 expect "mesh is a program of its own" says '<bake-mesh><tets><a b.toml>'
 run render --help
 expect "render is a program of its own" says '<bake-render><--help>'
+stand_in python3 'printf "<%s>" "${1##*/}" "${@:2}"; exit 7'
+run paper --out 'a b'
+expect "the article is a script of Python that gets the arguments" says '<make_article.py><--out><a b>'
+expect "the article's exit code is the script's" exits_with 7
+expect "the article needs its packages" called "texlive-latex-recommended"
+expect "the article needs nothing else" not called "cmake"
+expect "nothing is built for the article" not called "ninja"
+run paper
+expect "the second article does not look at packages" not called "dpkg-query"
 run report
 expect "the second time does not configure for figures either" not called "cmake"
 run bench --fast
@@ -114,6 +123,19 @@ stand_in dpkg-query 'true'
 run figure --help
 expect "help installs nothing" not called "apt-get"
 expect "help of figures asks for no package of figures" not says "gnuplot-nox"
+stand_in python3 'echo "the help"'
+run paper --help
+expect "help of the article installs nothing" not called "apt-get"
+expect "help of the article asks for no package" not called "dpkg-query"
+expect "help of the article is its script's" says "the help"
+run paper --no-install
+expect "an article without LaTeX and --no-install is exit 2" exits_with 2
+expect "the packages of the article are named, and no others" says "missing packages: python3 python3-tomli texlive-latex-recommended texlive-fonts-recommended"
+run paper
+expect "packages of the article are installed" called "install --yes --no-install-recommends python3"
+rm "$tools/python3"
+run paper --help
+expect "help of the article without Python names what is missing" says "missing packages: python3"
 run run bread --no-install
 expect "missing packages and --no-install are exit 2" exits_with 2
 expect "missing packages are named" says "missing packages: cmake ninja-build libeigen3-dev"
@@ -140,6 +162,8 @@ fresh_clone
 rm "$tools/apt-get" "$tools/dpkg-query"
 run run bread
 expect "another system with the tools builds all the same" exits_with 7
+run paper
+expect "another system without LaTeX has no article and is told why" says "pdflatex or python3 is missing"
 rm "$tools/ninja"
 run run bread
 expect "another system without a tool is exit 2" exits_with 2
