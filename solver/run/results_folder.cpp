@@ -52,17 +52,18 @@ std::string place_of(const std::string& list, std::size_t index, const json& mem
 /// The first key whose values differ, in the order of the alphabet; empty if none does.
 std::string first_difference(const json& now, const json& then, const std::string& key = {}) {
   if (now == then) return {};
+  const auto within = [&](const std::string& name) { return key.empty() ? name : fmt::format("{}.{}", key, name); };
   if (now.is_object() && then.is_object()) {
     for (const auto& [name, value] : now.items()) {
-      const std::string found = first_difference(value, then.value(name, json()), key.empty() ? name : key + "." + name);
+      std::string found = first_difference(value, then.value(name, json()), within(name));
       if (!found.empty()) return found;
     }
     for (const auto& [name, value] : then.items())
-      if (!now.contains(name)) return first_difference(json(), value, key.empty() ? name : key + "." + name);
+      if (!now.contains(name)) return first_difference(json(), value, within(name));
   }
   const bool lists = now.is_array() && then.is_array() && now.size() == then.size();
   for (std::size_t i = 0; lists && i < now.size() && now[i].is_object(); ++i) {
-    const std::string found = first_difference(now[i], then[i], place_of(key, i, now[i]));
+    std::string found = first_difference(now[i], then[i], place_of(key, i, now[i]));
     if (!found.empty()) return found;
   }
   const auto words = [](const json& value) {

@@ -106,7 +106,7 @@ std::optional<SceneEntry> SceneEntry::find(std::string_view key) const {
 }
 
 std::optional<SceneEntry> SceneEntry::find(std::string_view key, const char* former) const {
-  const auto named_now = find(key), named_before = former ? find(former) : std::nullopt;
+  auto named_now = find(key), named_before = former ? find(former) : std::nullopt;
   if (!named_before) return named_now;
   if (named_now) named_before->complain(fmt::format("found beside {}, its new name, allowed: one of them", key));
   document_->notices.push_back(fmt::format("{}: {} is now called {}; the old name is read until {}", named_before->place_,
