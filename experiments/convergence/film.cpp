@@ -84,31 +84,32 @@ Waves yielding(int cells, double e, double sign) {
   const Snapshot pressed = s->snapshot();
 
   const Waves k = wave_numbers();
-  load(*s, damping(e), [=](const Point& x) {
+  const auto push = [=](const Point& x) {
     const double share = x[2] > dx / 4 ? 1 : x[2] > -dx / 4 ? 0.5 : 0;  // of a node in the film's lower face half the mass is film
-    double push = 0;
-    for (const double each : k) push += sign * k_load * share * std::cos(each * x[0]);
-    return push;
+    double sum = 0;
+    for (const double each : k) sum += sign * k_load * share * std::cos(each * x[0]);
+    return sum;
+  };
+  return load(*s, damping(e), push, [&] {
+    const Snapshot now = s->snapshot();
+    Waves w{};
+    double count = 0;
+    for (std::size_t p = 0; p < now.id.size(); ++p) {
+      if (now.material[p] != 1) continue;
+      ++count;
+      for (std::size_t i = 0; i < k.size(); ++i)
+        w[i] += 2 * sign * (now.position[p][2] - pressed.position[p][2]) * std::cos(k[i] * pressed.position[p][0]);
+    }
+    for (double& each : w) each /= count * k_load * std::exp(e);  // film that is pressed has more mass in each length
+    return w;
   });
-  const Snapshot now = s->snapshot();
-
-  Waves w{};
-  double count = 0;
-  for (std::size_t p = 0; p < now.id.size(); ++p) {
-    if (now.material[p] != 1) continue;
-    ++count;
-    for (std::size_t i = 0; i < k.size(); ++i)
-      w[i] += 2 * sign * (now.position[p][2] - pressed.position[p][2]) * std::cos(k[i] * pressed.position[p][0]);
-  }
-  for (double& each : w) each /= count * k_load * std::exp(e);  // film that is pressed has more mass in each length
-  return w;
 }
 
 /// Where S, found at 0 and e, would be zero. Pressed dough moves a little by itself, since its particles now stand unevenly in the cells:
 /// the mean of both signs of the load is free of that.
 Waves critical_strains_of_film(int cells) {
   const double e = std::log(1 + 1 / (2 * k_length));  // takes half of h: half a cell for each cell of the film, whole rows of particles
-  return critical_strains(yielding(cells, 0, 1), mean(yielding(cells, e, 1), yielding(cells, e, -1)), e);
+  return critical_strains(yielding(cells, 0, 1), 0, mean(yielding(cells, e, 1), yielding(cells, e, -1)), e);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "experiments/common/study_scene.h"
+#include "solver/core/errors.h"
 
 namespace bake::studies::film {
 
@@ -32,12 +33,12 @@ inline Wrinkle least_of_fit(const Waves& k, const Waves& strains) {
   return {2 * std::numbers::pi / at, a * at * at + b / at};
 }
 
-/// The strains at which the stiffness would be zero, from what waves yield without strain and at the strain `e`: it falls evenly with it.
-inline Waves critical_strains(const Waves& free, const Waves& pressed, double e) {
+/// The strains at which the stiffness would be zero, from what waves yield at the strain `e` and at a lower one: it falls evenly with it.
+inline Waves critical_strains(const Waves& at_lower, double lower, const Waves& at_e, double e) {
   Waves found;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const double S_0 = 1 / free[i], S_e = 1 / pressed[i];
-    found[i] = e * S_0 / (S_0 - S_e);
+    const double S_lower = 1 / at_lower[i], S_e = 1 / at_e[i];
+    found[i] = lower + (e - lower) * S_lower / (S_lower - S_e);
   }
   return found;
 }
@@ -61,14 +62,25 @@ inline void press(Simulation& simulation, double e, double poisson_ratio) {
   run_to(simulation, k_pressed);
 }
 
-/// Then lets it yield to an acceleration push(x) along z, while all motion is damped by `rate`, until it is at rest.
-template <class Push>
-void load(Simulation& simulation, double rate, Push push) {
+/// Then lets it yield to an acceleration push(x) along z, while all motion is damped by `rate` and by the transfers, until it is at rest.
+/// What `measure` finds then. It is asked at times that double, until it changes by less than a hundredth: what would still come is of the
+/// order of the square of that. Throws RunError if it does not come to rest.
+template <class Push, class Measure>
+Waves load(Simulation& simulation, double rate, Push push, Measure measure) {
   simulation.set_force([=](const Point& x, const Vector3& v, double t, double dt) {
     if (t <= k_pressed) return Vector3{0, 0, 0};
     return std::exp(-rate * dt) * (v + Vector3{0, 0, dt * push(x)});
   });
-  run_to(simulation, k_pressed + 16 / rate);
+  Waves before{};
+  for (double after = 16 / rate; after < 2000 / rate; after *= 2) {
+    run_to(simulation, k_pressed + after);
+    const Waves now = measure();
+    bool at_rest = true;
+    for (std::size_t i = 0; i < now.size(); ++i) at_rest = at_rest && std::abs(now[i] - before[i]) < 0.01 * std::abs(now[i]);
+    if (at_rest) return now;
+    before = now;
+  }
+  throw RunError("a loaded film does not come to rest");
 }
 
 /// Of two loads of opposite sign: what dough moves by itself is not in it.

@@ -30,14 +30,15 @@ class Model final : public Physics<Real> {
                     Bounds::width <= k_most_bounds,
                 "more quantities than solver/engine/physics.h has room for");
   // What the engine takes for granted.
-  static_assert(Stored::template offset<field::Position> == 0 && Stored::template offset<field::Identity> == 3);
+  static_assert(Stored::template offset<field::Position> == 0);
+  static_assert(Stored::template offset<field::Identity> == 3);
   static_assert(!Gathered::template has<channel::NodeVelocity> || Gathered::template offset<channel::NodeVelocity> == 0);
   static_assert(!Gathered::template has<channel::NodeTemperature> ||
                 Gathered::template offset<channel::NodeTemperature> == Gathered::template offset<channel::TemperatureChange> + 1);
-  static_assert(Booked::template offset<booked::Impulse> == k_impulse_entry &&
-                Booked::template offset<booked::AngularImpulse> == k_angular_impulse_entry &&
-                Booked::template offset<booked::Area> == k_area_entry &&
-                Booked::template offset<booked::ContactArea> == k_contact_area_entry);
+  static_assert(Booked::template offset<booked::Impulse> == k_impulse_entry);
+  static_assert(Booked::template offset<booked::AngularImpulse> == k_angular_impulse_entry);
+  static_assert(Booked::template offset<booked::Area> == k_area_entry);
+  static_assert(Booked::template offset<booked::ContactArea> == k_contact_area_entry);
 
   explicit Model(const Scene& scene);
 

@@ -174,8 +174,9 @@ struct Images {
 bool has_images(const BlockIndex& b, const GridGeometry& geometry, const Contacts& contacts) {
   const int block[3] = {b.x, b.y, b.z};
   for (int f = 0; f < 6; ++f) {
-    const double face = f % 2 ? geometry.high_face(f / 2) : geometry.low_face();
-    if (4 * block[f / 2] - k_mirrored <= face && face <= 4 * block[f / 2] + 3 + k_mirrored && contacts.is_mirror(f)) return true;
+    const int axis = f / 2, first = 4 * block[axis];
+    const double face = f % 2 ? geometry.high_face(axis) : geometry.low_face();
+    if (first - k_mirrored <= face && face <= first + 3 + k_mirrored && contacts.is_mirror(f)) return true;
   }
   return false;
 }
