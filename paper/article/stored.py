@@ -7,9 +7,9 @@ A reference is written <<file: key>> or <<file: key | format>>, with the file's 
 
 A key is names separated by points, each followed by selectors in brackets, if it is a list: a number counts from 0, and conditions
 name=text, several with a semicolon between them, keep what fulfils them (name~text: what contains the text). A name with points in it
-stands in quotes. What is asked for must be there once. Formats are those of Python (.2f), after a factor if one is given (*1000 .0f); % is a factor
-of 100 with its sign, date the day of a time, text words, short the first letters of an identity, and count the number of elements of a
-list. Without a format a number has three digits.
+stands in quotes. What is asked for must be there once. Formats are Python's (.2f), after a factor if one is given (*1000 .0f); % is a
+factor of 100 with its sign, date the day of a time, text words, short the first letters of an identity, and count the number of elements
+of a list. Without a format a number has three digits.
 
 <<table: name>> and <<derived: name>> are functions of tables.py.
 """
