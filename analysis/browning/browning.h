@@ -57,7 +57,6 @@ class BrowningHistory {
   /// Integrates up to `frame` by the trapezium rule over every frame or, if there are more than k_most_samples, over that many of them.
   /// `frame` must not decrease from call to call. Throws InputError if the run has not come that far or its frames have no temperature.
   void advance_to(int frame);
-  int last_frame() const { return last_frame_; }  ///< the last frame that the run has written
 
   /// The degree of browning of each particle. Particles that appear first in the last frame, and unknown ones, are raw.
   std::vector<double> degrees(std::span<const std::int64_t> ids) const;

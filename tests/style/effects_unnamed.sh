@@ -7,7 +7,8 @@ cd "$1"
 names=$(sed -n 's/^struct \([A-Z][A-Za-z]*\) : Effect {.*/\1/p' solver/effects/*.h | grep -vx Common)
 (($(wc -w <<<"$names") > 5)) || { echo "no effects were found in solver/effects" >&2; exit 1; }
 words=$(sed -n 's/^  static constexpr const char\* name = "\(.*\)";/\1/p' solver/effects/*.h | grep -vx common)
-pattern="\\b($(paste -sd '|' <<<"$names"))\\b|lists\\(\"($(paste -sd '|' <<<"$words"))\"\\)"
+headers=$(grep -l '^struct [A-Z][A-Za-z]* : Effect {' solver/effects/*.h | grep -v common | paste -sd '|')
+pattern="[\"<]($headers)[\">]|\\b($(paste -sd '|' <<<"$names"))\\b|lists\\(\"($(paste -sd '|' <<<"$words"))\"\\)"
 files=$("$(dirname "$0")/sources.sh" . | grep -E '^(solver|cli)/.*\.(h|cpp|in)$' | grep -vE '^solver/effects/|^solver/engine/model_list\.h$')
 failures=0
 for file in $files; do

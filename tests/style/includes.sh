@@ -21,9 +21,10 @@ meshing: solver analysis/claims
 experiments: solver analysis reference
 cli: solver analysis reference experiments
 tests: solver analysis reference experiments meshing'
+rooms='solver|reference|analysis|meshing|experiments|cli|tests'  # in <>, too, which find them as well
 
-"$sources" "$1" | grep -E '\.(h|cpp|h\.in|cpp\.in)$' | (cd "$1" && xargs -r -d '\n' grep -nE '^[ \t]*#[ \t]*include[ \t]*"' /dev/null) |
-  awk -F '[:"]' -v table="$table" '
+"$sources" "$1" | grep -E '\.(h|cpp|h\.in|cpp\.in)$' | (cd "$1" && xargs -r -d '\n' grep -nE '^[ \t]*#[ \t]*include[ \t]*("|<('"$rooms"')/)' /dev/null) |
+  awk -F '[:"<>]' -v table="$table" '
     function room_of(path,   part) { split(path, part, "/"); return part[1] == "solver" ? part[1] "/" part[2] : part[1] }
     BEGIN { for (n = split(table, line, "\n"); n > 1; --n) { split(line[n], pair, ":"); allowed[pair[1]] = pair[1] pair[2] } }
     {
