@@ -24,6 +24,18 @@ MetricPlace unit_box() { return {.low_m = Vector3{0, 0, 0}, .high_m = Vector3{1,
 
 MetricPlace hot(double temperature_C) { return {.temperature_C = temperature_C}; }
 
+TEST(ABoxOfAMetric, HoldsWhatIsBetweenItsCornersOnEachAxisByItself) {
+  const MetricPlace box{.low_m = Vector3{-1, -2, -3}, .high_m = Vector3{1, 2, 3}};
+  EXPECT_TRUE(is_in_box({0.9, 1.9, 2.9}, box));
+  EXPECT_TRUE(is_in_box({-0.9, -1.9, -2.9}, box));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const double side : {-1, 1}) {
+      Vector3 beyond{};
+      beyond[axis] = side * (static_cast<double>(axis) + 1.1);
+      EXPECT_FALSE(is_in_box(beyond, box)) << axis;
+    }
+}
+
 TEST_F(RegionMetrics, FindTheShareThatIsInABoxNow) {
   frame(0, {{1, {0.5, 0.5, 0.5}}, {2, {2, 0.5, 0.5}}, {3, {0.5, 0.5, 3}}});
   frame(3, {{3, {0.5, 0.5, 0.9}, 20, 20, 3}, {1, {0.5, 0.5, -0.1}, 20, 20, 2}, {2, {0.9, 0.1, 0.5}, 20, 20, 5}});
