@@ -85,7 +85,6 @@ class References(unittest.TestCase):
         self.assertEqual(stored.escaped("apple_limp >= q^2"), r"apple\_limp $\ge$ q\textsuperscript{2}")
         self.assertEqual(stored.code("a_b"), r"\code{a\_b}")
 
-
     def test_every_function_of_the_tables_is_named_in_the_article(self):
         for kind, functions in tables.FUNCTIONS.items():
             for name in functions:

@@ -21,7 +21,7 @@ meshing: solver analysis/claims
 experiments: solver analysis reference
 cli: solver analysis reference experiments
 tests: solver analysis reference experiments meshing'
-rooms='solver|reference|analysis|meshing|experiments|cli|tests'  # in <>, too, which find them as well
+rooms=$(sed -n 's|^\([a-z]*\).*:.*|\1|p' <<<"$table" | sort -u | paste -sd '|')  # in <>, too, which find them as well
 
 "$sources" "$1" | grep -E '\.(h|cpp|h\.in|cpp\.in)$' | (cd "$1" && xargs -r -d '\n' grep -nE '^[ \t]*#[ \t]*include[ \t]*("|<('"$rooms"')/)' /dev/null) |
   awk -F '[:"<>]' -v table="$table" '
