@@ -211,8 +211,7 @@ def bare_numbers(text):
     def blank(match):
         if match[0].startswith(r"\paper{") and not PLACES.match(match[0][7:]):
             return match[0]
-        rest = match[0]
-        return re.sub(r"[^\n]", " ", rest)
+        return re.sub(r"[^\n]", " ", match[0])
 
     left = ALLOWED.sub(blank, text)
     return [(left.count("\n", 0, m.start()) + 1, m[0]) for m in re.finditer(r"[A-Za-z]*\d[\w.,]*(?:[-+]\d+)?", left)]

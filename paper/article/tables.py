@@ -18,7 +18,7 @@ def rows(cells):
 
 
 def kept(name):
-    """The claims.json of an item that is kept at the finest quality, with its folder's name; nothing if none is."""
+    """What is kept of an item at the finest quality; nothing if nothing is."""
     for quality in QUALITIES:
         path = f"{FIGURES}/{name}-{quality}/claims.json"
         if (ROOT / path).is_file():
@@ -222,6 +222,11 @@ def measured_run(published):
     return None
 
 
+def seconds_per_frame(run):
+    s = run["summary"]
+    return s["wall_s"] / (s["time_s"] * PER_FRAME)
+
+
 def timings():
     cells = []
     for p in get("reference/published/table1.toml", "simulation"):
@@ -231,7 +236,7 @@ def timings():
             cells.append(row + ["--"] * 5 + ["not run"])
             continue
         s = run["summary"]
-        per_frame = s["wall_s"] / (s["time_s"] * PER_FRAME)
+        per_frame = seconds_per_frame(run)
         cells.append(row + [f"{s['particles'] / 1000:.0f}", shown(per_frame, ".2g"), shown(p["seconds_per_frame"] / per_frame, ".2g"),
                             shown(s["particle_steps"] / s["wall_s"] / 1e6, ".2g"), f"{s['peak_memory_bytes'] / 1e6:.0f}",
                             f"{escaped(run['provenance']['machine']['cpu'].split('(')[0].strip())}, {stamp(run['provenance'])}"])
@@ -243,17 +248,13 @@ def least_influence():
     return shown(min(p["largest_change_over_error"] for p in get("paper/effects.json", "points")), ".2g")
 
 
-def timings_run():
-    return str(sum(measured_run(p) is not None for p in get("reference/published/table1.toml", "simulation")))
-
-
 def timing_ratios():
-    ratios = []
-    for p in get("reference/published/table1.toml", "simulation"):
-        run = measured_run(p)
-        if run:
-            ratios.append(p["seconds_per_frame"] * run["summary"]["time_s"] * PER_FRAME / run["summary"]["wall_s"])
-    return ratios
+    runs = [(p, measured_run(p)) for p in get("reference/published/table1.toml", "simulation")]
+    return [p["seconds_per_frame"] / seconds_per_frame(run) for p, run in runs if run]
+
+
+def timings_run():
+    return str(len(timing_ratios()))
 
 
 def least_timing_ratio():
