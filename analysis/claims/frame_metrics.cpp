@@ -67,6 +67,18 @@ double temperature_lead(const Results& run, const MetricPlace& at) {
   return temperature_of(run, frame, a) - temperature_of(run, frame, b);
 }
 
+/// The water of a particle over what it had at the start.
+double water_at(const Results& run, const MetricPlace& at) {
+  const CheckedFrame start = run.frame(0);
+  const auto particle = particle_at(start, *at.point_m);
+  const auto held = [&](int frame, const CheckedFrame& reader) {
+    return static_cast<double>(reader.column("water_mass")[row_of(run, frame, reader, particle)]);
+  };
+  const double before = held(0, start);
+  const int frame = run.frame_at(at.time_s);
+  return before > 0 ? held(frame, run.frame(frame)) / before : std::nan("");
+}
+
 /// Time of the first frame at which a particle has a temperature; infinite if it never has.
 double time_to_reach(const Results& run, const MetricPlace& at) {
   const auto particle = particle_at(run.frame(0), *at.point_m);
@@ -230,6 +242,8 @@ std::vector<Metric> frame_metrics() {
       {"temperature_lead", "K", any_number,
        "temperature of the particle that started nearest to from_m, less that of the one nearest to to_m: surface and core",
        temperature_lead, needs("from_m", "to_m"), knows("time_s")},
+      {"water_at", "1", non_negative, "water of the particle that started nearest to point_m, over what it had at the start", water_at,
+       needs("point_m"), knows("time_s")},
       {"time_to_reach", "s", non_negative, "time at which the particle that started nearest to point_m reaches temperature_C",
        time_to_reach, needs("point_m", "temperature_C")},
       {"crust_thickness", "m", non_negative,

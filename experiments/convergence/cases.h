@@ -27,6 +27,8 @@ std::vector<Errors> square(bool quick);
 std::vector<Errors> eulers(bool quick);
 std::vector<Errors> fick(bool quick);
 std::vector<Errors> barenblatt(bool quick);
+std::vector<Errors> vapour_cosine(bool quick);
+std::vector<Errors> vapour_in_a_bar(bool quick);
 std::vector<Errors> pulse_wave(bool quick);
 std::vector<Errors> free_bar(bool quick);
 std::vector<Errors> clamped_bar(bool quick);

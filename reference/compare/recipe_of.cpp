@@ -18,7 +18,7 @@ constexpr std::size_t k_keys = (0 + ... + std::tuple_size_v<decltype(Structs::pa
 static_assert(
     k_keys<DomainSettings, GridSettings, SurfaceSettings, Oven, Material, Body, Collider, Grip, DomainFace, Emitter, Skin> == 75 &&
         k_keys<Motion::Settings, Heat::Settings, Water::Settings, Elasticity::Settings, Plasticity::Settings, Leavening::Settings> == 22 &&
-        k_keys<Heat::Material, Water::Material, Elasticity::Material, Plasticity::Material, Leavening::Material> == 20,
+        k_keys<Heat::Material, Water::Material, Elasticity::Material, Plasticity::Material, Leavening::Material> == 23,
     "scenes have another number of keys: hand the new one to the textbook or refuse it here, so that it is not left out silently");
 
 void refuse_unknown_effects(const Scene& scene) {
@@ -65,6 +65,9 @@ textbook::Material plain(const Material& m) {
   out.K = water.diffusivity_m2_per_sK;
   out.beta_w = water.evaporation_kg_per_m2sK;
   out.c_hat = water.pressure_Pa;
+  out.D_v = water.vapour_diffusivity_m2_per_s;
+  out.h_v = water.vapour_transfer_m_per_s;
+  out.X_h = water.hygroscopic_water_kg_per_kg;
   const auto& plasticity = of<Plasticity>(m);
   for (std::size_t i = 0; i < 4; ++i) {
     out.theta[i] = plasticity.temperatures_C[i];

@@ -9,6 +9,7 @@
 #include "reference/textbook/motion.h"
 #include "reference/textbook/plasticity.h"
 #include "reference/textbook/surface.h"
+#include "reference/textbook/vapour.h"
 #include "reference/textbook/water.h"
 
 namespace bake::textbook {
@@ -64,7 +65,7 @@ void Baker::round_to_single() {
   for (Particle& p : particles_) {
     for (double* number : {&p.V_0, &p.m_s, &p.J, &p.J_P, &p.theta, &p.theta_peak, &p.theta_lent, &p.m_w, &p.m_w_lent, &p.nu, &p.c})
       round(*number);
-    for (Vector* v : {&p.x, &p.v, &p.grad_theta, &p.q, &p.Q_scattered}) round_all(*v);
+    for (Vector* v : {&p.x, &p.v, &p.grad_theta, &p.q, &p.j_v, &p.Q_scattered}) round_all(*v);
     Matrix strain = p.b_E - identity();  // small beside I, and of its own precision
     for (Matrix* a : {&p.C, &p.grad_v, &p.tau, &strain}) round_matrix(*a);
     p.b_E = identity() + strain;
@@ -91,13 +92,17 @@ void Baker::scatter(double dt, const Vector& gravity) {
       if (recipe_.water) {
         scatter_water(p, m, o, node);
         scatter_water_flux(p, recipe_, dt, o, node);
+        scatter_vapour(p, m, o, node);
       }
       if (recipe_.water && recipe_.motion) scatter_water_momentum(p, recipe_, dt, o, node);
       if (recipe_.heat) {
         scatter_heat(p, recipe_, m, o, node);
         if (recipe_.heat_step == HeatStep::forward_euler) scatter_conduction(p, m, dt, o, node);
         if (recipe_.motion) scatter_expansion(p, recipe_, m, dt, o, node);
-        if (recipe_.water) scatter_carried_heat(p, recipe_, dt, o, node);
+        if (recipe_.water) {
+          scatter_carried_heat(p, recipe_, dt, o, node);
+          scatter_latent_heat(p, recipe_, dt, o, node);
+        }
       }
     });
     p.Q_scattered = p.Q();
@@ -128,6 +133,7 @@ void Baker::update_nodes(double dt, const Surroundings& surroundings) {
     if (recipe_.heat) {
       hold_temperature(recipe_, surroundings, grid_.position(i), node);
       update_heat(recipe_, dt, node);
+      if (recipe_.water) update_vapour(node);
     }
     if (recipe_.motion) update_velocity(recipe_, surroundings.gravity, dt, node);
   });
@@ -150,13 +156,16 @@ void Baker::gather(double dt, const Surroundings& surroundings) {
     SeenVelocity velocity;
     SeenWater water;
     SeenHeat heat;
+    SeenVapour vapour;
     for_each_node(grid_, p.x, recipe_.kernel, [&](const Index& i, const Overlap& o) {
       velocity.add(grid_[i], o, D);
       water.add(grid_[i], o, recipe_.water_form);
       heat.add(grid_[i], o);
+      vapour.add(grid_[i], o);
     });
     if (recipe_.motion) move(velocity, recipe_, dt, p);
     if (recipe_.heat) take_heat(heat, recipe_, m, dt, p);
+    if (recipe_.heat && recipe_.water) take_vapour(vapour, m, p);
     if (recipe_.water) take_water(water, recipe_, m, dt, p);
     if (recipe_.elasticity) p.b_E = trial_strain(p, dt);
     if (recipe_.plasticity) return_mapping(recipe_, m, dt, p);

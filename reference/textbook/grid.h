@@ -14,22 +14,25 @@ namespace bake::textbook {
 
 struct Node {
   // sums over the particles: sum_p w ...
-  double volume = 0;         ///< V_i [m^3]
-  double mass = 0;           ///< inertial [kg]
-  Vector momentum;           ///< with the impulses of the step [kg m/s]
-  Vector old_momentum;       ///< without them, for FLIP [kg m/s]
-  double water = 0;          ///< m_i^w [kg]
-  double water_flux = 0;     ///< what the step brings [kg]
-  double water_room = 0;     ///< rho_w V: the water that would fill the node [kg]
-  double evaporability = 0;  ///< beta_w theta V [kg m/s]
-  double permeability = 0;   ///< rho_w K theta V [kg m^2/s]
-  double water_spread = 0;   ///< V times that of the particles [m^5]
-  double heat_capacity = 0;  ///< [J/K]
-  double heat_content = 0;   ///< [J]
-  double heat_change = 0;    ///< what the step brings [J]
-  double conductivity = 0;   ///< kappa V [W m^2/K]
-  double skin_area = 0;      ///< of skin [m^2]
-  double closed_area = 0;    ///< of it, the share that holds water back [m^2]
+  double volume = 0;             ///< V_i [m^3]
+  double mass = 0;               ///< inertial [kg]
+  Vector momentum;               ///< with the impulses of the step [kg m/s]
+  Vector old_momentum;           ///< without them, for FLIP [kg m/s]
+  double water = 0;              ///< m_i^w [kg]
+  double water_flux = 0;         ///< what the step brings [kg]
+  double water_room = 0;         ///< rho_w V: the water that would fill the node [kg]
+  double evaporability = 0;      ///< beta_w theta V [kg m/s]
+  double permeability = 0;       ///< rho_w K theta V [kg m^2/s]
+  double water_spread = 0;       ///< V times that of the particles [m^5]
+  double hygroscopic_water = 0;  ///< X_h m_s [kg]
+  double vapour_mobility = 0;    ///< n D_v V [m^5/s]
+  double vapour_transfer = 0;    ///< h_v V [m^4/s]
+  double heat_capacity = 0;      ///< [J/K]
+  double heat_content = 0;       ///< [J]
+  double heat_change = 0;        ///< what the step brings [J]
+  double conductivity = 0;       ///< kappa V [W m^2/K]
+  double skin_area = 0;          ///< of skin [m^2]
+  double closed_area = 0;        ///< of it, the share that holds water back [m^2]
   // surroundings
   double area = 0;                  ///< A_i, touching air [m^2]
   double heat_transfer = 0;         ///< sum A beta, of air and solids [W/K]
@@ -37,20 +40,21 @@ struct Node {
   std::optional<double> held;       ///< theta that a grip holds [C]
   bool at_face = false;             ///< of the grip: it sees particles outside
   // after the step
-  double moved_water = 0;   ///< change of m_i^w, evaporation included [kg]
-  double evaporated = 0;    ///< [kg]
-  double saturation = 0;    ///< s_i
-  double theta = 0;         ///< theta_i' [C]
-  double theta_change = 0;  ///< theta_i' - theta_i [K]
-  double heat_weight = 0;   ///< heat per degree; 0 if theta is held [J/K]
-  Vector v, old_v;          ///< [m/s]
+  double moved_water = 0;     ///< change of m_i^w, evaporation included [kg]
+  double evaporated = 0;      ///< [kg]
+  double saturation = 0;      ///< s_i
+  double vapour_density = 0;  ///< rho_v [kg/m^3]
+  double theta = 0;           ///< theta_i' [C]
+  double theta_change = 0;    ///< theta_i' - theta_i [K]
+  double heat_weight = 0;     ///< heat per degree; 0 if theta is held [J/K]
+  Vector v, old_v;            ///< [m/s]
 
   /// The sums over the particles of the same node beyond a periodic face.
   void add(const Node& other) {
     momentum += other.momentum, old_momentum += other.old_momentum;
-    for (double Node::*sum :
-         {&Node::volume, &Node::mass, &Node::water, &Node::water_flux, &Node::water_room, &Node::evaporability, &Node::permeability,
-          &Node::water_spread, &Node::heat_capacity, &Node::heat_content, &Node::heat_change, &Node::conductivity})
+    for (double Node::*sum : {&Node::volume, &Node::mass, &Node::water, &Node::water_flux, &Node::water_room, &Node::evaporability,
+                              &Node::permeability, &Node::water_spread, &Node::hygroscopic_water, &Node::vapour_mobility,
+                              &Node::vapour_transfer, &Node::heat_capacity, &Node::heat_content, &Node::heat_change, &Node::conductivity})
       this->*sum += other.*sum;
   }
 };

@@ -33,6 +33,7 @@ struct Particle {
   double m_w_lent = 0;      ///< as theta_lent [kg]
   double water_spread = 0;  ///< integral of K theta dt [m^2]
   Vector q;                 ///< flux of water relative to the solid [kg/(m^2 s)]
+  Vector j_v;               ///< flux of vapour, a part of q [kg/(m^2 s)]
   Vector Q_scattered;       ///< V q, as the last scatter knew it [kg m/s]
   double nu = 0;            ///< gas made, per initial volume [mol/m^3]
   double c = 1;             ///< leavener left, as a share

@@ -2,6 +2,7 @@
 // What is baked, and with which form of each equation. SI units, temperatures in degrees Celsius.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -44,6 +45,10 @@ struct Material {
   double K = 0;       ///< Fick's constant [m^2/(s K)]
   double beta_w = 0;  ///< evaporation [kg/(m^2 s K)]
   double c_hat = 0;   ///< water pressure per saturation [Pa]
+  // vapour in the pores
+  double D_v = 0;  ///< diffusivity [m^2/s]
+  double h_v = 0;  ///< vapour leaving a surface [m/s]
+  double X_h = 1;  ///< water per solid at half the density of vapour [1]
   // plasticity: fig. 8
   double theta[4] = {}, tau_y[4] = {}, eta[4] = {};  ///< [C], [Pa], [Pa s]
   // leavening
@@ -58,6 +63,10 @@ struct Material {
 struct Recipe {
   bool motion = false, heat = false, water = false, elasticity = false, plasticity = false, leavening = false;
   std::vector<Material> materials;
+
+  bool has_vapour() const {
+    return std::any_of(materials.begin(), materials.end(), [](const Material& m) { return m.D_v > 0; });
+  }
 
   double dx = 0;                             ///< [m]
   Vector low;                                ///< corner of the domain, a node [m]

@@ -4,6 +4,7 @@
 
 #include "reference/textbook/heat.h"
 #include "reference/textbook/particle.h"
+#include "reference/textbook/vapour.h"
 
 namespace bake::textbook {
 
@@ -24,10 +25,10 @@ inline void scatter_water_flux(const Particle& p, const Recipe& recipe, double d
   if (recipe.motion && recipe.water_form == Form::published) node.water_flux -= dt * o.w * p.m_w * p.div_v();
 }
 
-/// The momentum that water carries, + dt V (v_w (x) q) grad w, and the change of its own, - w [V q - (V q)_old]. [Ding19 Eq. 27]
-/// DEPARTS [Ding19 Eq. 27]: no div v term: as printed it takes velocity out of a body that expands.
+/// The momentum that water carries, + dt V (v_w (x) q) grad w (with vapour, which comes to dry dough, v_w = v), and the change of its own,
+/// - w [V q - (V q)_old]. [Ding19 Eq. 27] DEPARTS [Ding19 Eq. 27]: no div v term: as printed it takes velocity out of a body that expands.
 inline void scatter_water_momentum(const Particle& p, const Recipe& recipe, double dt, const Overlap& o, Node& node) {
-  const Vector v_w = p.m_w > 0 ? p.v + (p.V() / p.m_w) * p.q : p.v;
+  const Vector v_w = p.m_w > 0 && !recipe.has_vapour() ? p.v + (p.V() / p.m_w) * p.q : p.v;
   Vector change = (dt * p.V() * dot(p.q, o.grad_w)) * v_w - o.w * (p.Q() - p.Q_scattered);
   if (recipe.water_form == Form::published) change = change - (dt * o.w * p.div_v()) * (p.mass() * p.v + p.Q());
   node.momentum += recipe.inertia_scale * change;
@@ -56,7 +57,8 @@ inline void update_water(const Recipe& recipe, const Surroundings& surroundings,
   const double s_i = node.water / node.water_room;
   const double s = recipe.surface_form == Form::standard ? surface_saturation(recipe, node, s_i, surroundings.air.s_out, dt) : s_i;
   const double after_flux = node.water + node.water_flux;
-  node.evaporated = std::min(dt * rate * (s - surroundings.air.s_out), std::max(after_flux, 0.0));
+  const double wanted = dt * (rate * (s - surroundings.air.s_out) + node.area * vapour_through_surface(recipe, node));
+  node.evaporated = std::min(wanted, std::max(after_flux, 0.0));
   const double kept = std::max(after_flux - node.evaporated, 0.0);
   node.moved_water = kept - node.water;
   node.saturation = kept / node.water_room;
@@ -87,7 +89,7 @@ inline void take_water(const SeenWater& seen, const Recipe& recipe, const Materi
   p.m_w_lent = evened_out(recipe.water_subgrid, diffusivity, dt, recipe.dx) * (room * seen.s - p.m_w);
   p.m_w += p.m_w_lent;
   p.water_spread += dt * m.K * p.clamped_temperature();
-  p.q = (-m.K * p.clamped_temperature() * p.m_w / p.V()) * seen.grad_s;
+  p.q = (-m.K * p.clamped_temperature() * p.m_w / p.V()) * seen.grad_s + p.j_v;
 }
 
 /// J p_water = J c_hat (s - s_0)   [Ding19 Eq. 14]

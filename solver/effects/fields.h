@@ -60,6 +60,7 @@ BAKE_FIELD(m_w_lent, LentWater, 1, "lent_water", "kg", "what subgrid diffusion g
 BAKE_FIELD(w_spread, WaterSpread, 1, "water_spread", "m^2",
            "integral of K theta dt: water has come from as far as the root of it times s, whatever the temperature was meanwhile");
 BAKE_FIELD(q, WaterFlux, 3, "water_flux", "kg/(m^2 s)", "q_p = -K theta rho_w grad s: water's flux through the solid [Ding19 Eq. 22]");
+BAKE_FIELD(j_v, VapourFlux, 3, "vapour_flux", "kg/(m^2 s)", "j_v = -n D_v grad rho_v: flux of vapour through the pores, a part of q");
 BAKE_FIELD(Q, WaterMomentum, 3, "water_momentum", "kg m/s", "V q: momentum of the water relative to its solid [Ding19 Eq. 25]");
 BAKE_FIELD(Q_old, ScatteredWaterMomentum, 3, "scattered_water_momentum", "kg m/s", "V q of the step before, which the nodes know");
 BAKE_FIELD(nu, ProducedGas, 1, "produced_gas", "mol/m^3", "nu_p: CO2 made, per initial volume [Ding19 Sec. 5.4]");
@@ -77,6 +78,9 @@ BAKE_FIELD(water_capacity, WaterCapacity, 1, "water capacity", "kg", "water that
 BAKE_FIELD(evaporability, Evaporability, 1, "evaporability", "kg m/s", "sum of w V beta_w theta [Ding19 Sec. 6.2]");
 BAKE_FIELD(permeability, Permeability, 1, "permeability", "kg m^2/s", "sum of w V rho_0^w K theta: how readily water comes to the surface");
 BAKE_FIELD(water_spread, WaterSpread, 1, "water spread", "m^5", "sum of w V times the integral of K theta dt: how deep drying has come");
+BAKE_FIELD(hygroscopic_water, HygroscopicWater, 1, "hygroscopic water", "kg", "sum of w m_s X_h: water over which vapour is half as dense");
+BAKE_FIELD(vapour_mobility, VapourMobility, 1, "vapour mobility", "m^5/s", "sum of w V n D_v: how readily vapour moves in the pores");
+BAKE_FIELD(vapour_transfer, VapourTransfer, 1, "vapour transfer", "m^4/s", "sum of w V h_v: how readily vapour leaves the surface");
 BAKE_FIELD(volume, Volume, 1, "volume", "m^3", "V_i: sum of w V [Ding19 Eq. 18]");
 BAKE_FIELD(heat_capacity, HeatCapacity, 1, "heat capacity", "J/K", "c_i: sum of w c");
 BAKE_FIELD(heat_content, HeatContent, 1, "heat content", "J", "sum of w c theta");
@@ -93,6 +97,8 @@ BAKE_FIELD(water_loss, WaterLoss, 1, "water loss", "1",
 BAKE_FIELD(water_gain, WaterGain, 1, "water gain", "1",
            "max(dm_i^w, 0) over the water that would fill the node: shared as the particles' volumes");
 BAKE_FIELD(saturation, Saturation, 1, "saturation", "1", "s_i^(n+1): share of the volume that is water");
+BAKE_FIELD(vapour_density, VapourDensity, 1, "vapour density", "kg/m^3",
+           "rho_v: vapour in the pores over the node's water, at theta_i^(n+1)");
 }  // namespace channel
 
 /// A list of fields or channels laid side by side.

@@ -31,15 +31,17 @@ struct MovingWater : Effect {
     for (int d = 0; d < 3; ++d) p[field::Q][d] = p.volume() * p[field::q][d];
   }
 
-  /// The momentum that the flux carries, V (v_w (x) q) D^-1 w r; and the change of the water's own momentum, so that the sum of
-  /// m v + V q is kept.
-  /// DEPARTS [Ding19 Eq. 25, 27]: no div v terms: as printed they take water and bulk velocity out of a body that expands.
+  /// The momentum that the flux carries, V (v_w (x) q) D^-1 w r, with the solid's velocity where vapour moves: it comes to dough without
+  /// water, whose v_w has no value, and q q / rho_w is a millionth of a pascal; and the change of the water's own momentum, so that the sum
+  /// of m v + V q is kept. DEPARTS [Ding19 Eq. 25, 27]: no div v terms: as printed they take water and bulk velocity out of a body that
+  /// expands.
   BAKE_INLINE static void scatter(auto& p, auto& to, const auto& k, const auto& step, auto&) {
     using P = std::decay_t<decltype(p)>;
     const auto moment = (step.baking_dt_next * step.inverse_d) * p.volume();
     const auto per_water = p.volume() / max(p[field::m_w], 0 * p[field::m_w] + std::numeric_limits<typename P::Real>::min());
     for (int i = 0; i < 3; ++i) {
-      const auto v_w = p[field::v][i] + per_water * p[field::q][i];
+      auto v_w = p[field::v][i];
+      if constexpr (!P::template has<field::VapourFlux>) v_w += per_water * p[field::q][i];
       for (int j = 0; j < 3; ++j) to.moment(channel::momentum, i, j) += k.inertia * moment * v_w * p[field::q][j];
       to.value(channel::momentum, i) -= k.inertia * (p[field::Q][i] - p[field::Q_old][i]);
     }

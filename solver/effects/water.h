@@ -10,6 +10,7 @@
 #include "solver/effects/free_surface.h"
 #include "solver/effects/heat.h"
 #include "solver/effects/motion.h"
+#include "solver/effects/pore_vapour.h"
 
 namespace bake {
 
@@ -59,6 +60,10 @@ struct Water : Effect {
     double diffusivity_m2_per_sK = 0;
     double evaporation_kg_per_m2sK = 0;
     double pressure_Pa = 0;
+    double vapour_diffusivity_m2_per_s = 0;
+    double vapour_transfer_m_per_s = 0;
+    double hygroscopic_water_kg_per_kg = 0.055;
+    bool has_vapour() const { return vapour_diffusivity_m2_per_s > 0 || vapour_transfer_m_per_s > 0; }
     static constexpr auto parameters() {
       return std::tuple{
           Parameter{"water_density_kg_per_m3", &Material::water_density_kg_per_m3, "kg/m^3", positive,
@@ -69,6 +74,13 @@ struct Water : Effect {
                     "beta_w: water leaving a surface, q.n = beta_w theta (s - s_out), theta in degrees Celsius and 0 below 0 C"},
           Parameter{"pressure_Pa", &Material::pressure_Pa, "Pa", non_negative,
                     "c_hat: water pressure per saturation, p_w = c_hat (s - s_0)"},
+          Parameter{"vapour_diffusivity_m2_per_s", &Material::vapour_diffusivity_m2_per_s, "m^2/s", non_negative,
+                    "D_v: diffusivity of vapour in the pores, j = -n D_v grad rho_v, which takes latent heat from where it is hot to where "
+                    "it is cold; 0: none, as published"},
+          Parameter{"vapour_transfer_m_per_s", &Material::vapour_transfer_m_per_s, "m/s", non_negative,
+                    "h_v: vapour that leaves a surface, j.n = h_v rho_v, into air without any; beside evaporation_kg_per_m2sK"},
+          Parameter{"hygroscopic_water_kg_per_kg", &Material::hygroscopic_water_kg_per_kg, "kg/kg", positive,
+                    "X_h: water per solid over which vapour is half as dense as over water (wheat at 100 C: 0.055)"},
       };
     }
   };
@@ -120,7 +132,8 @@ struct Water : Effect {
     model.moved_heat_entry = Booked::template offset<booked::RemapHeat>;
     model.moved_momentum_entry = Booked::template offset<booked::RemapMomentum>;
     for (const auto& material : scene.materials)
-      model.needs_surface |= material.effects.template get<Material>().evaporation_kg_per_m2sK != 0;
+      model.needs_surface |= material.effects.template get<Material>().evaporation_kg_per_m2sK != 0 ||
+                             material.effects.template get<Material>().vapour_transfer_m_per_s != 0;
   }
 
   static void fill(auto& p, int lane, const auto& start) {
@@ -145,6 +158,7 @@ struct Water : Effect {
   /// DEPARTS [Ding19 Eq. 19]: printed with gains shared by the water that is there, so that dry dough stays dry for ever.
   /// DEPARTS [Ding19 Eq. 20]: the volume is that of the new time; with the old one and the printed div v term in (25) half
   /// of the water is gone at doubled volume.
+  /// Vapour is water, too, once it has left its place: q is the flux of both (Vapour::gather).
   BAKE_INLINE static void gather(auto& p, const auto& from, const auto& k, const auto& step, auto& report) {
     using P = std::decay_t<decltype(p)>;
     const auto room = k.rho_w * p.volume_before();
@@ -159,6 +173,8 @@ struct Water : Effect {
       for (int d = 0; d < 3; ++d) report.book(booked::remap_momentum, k.inertia * gained * p[field::v][d], d);
     const auto flux = (-k.K) * clamped_temperature(p) * p[field::m_w] / p.volume();
     for (int d = 0; d < 3; ++d) p[field::q][d] = flux * from.gradient(channel::saturation, 0, d);
+    if constexpr (P::template has<field::VapourFlux>)
+      for (int d = 0; d < 3; ++d) p[field::q][d] += p[field::j_v][d];
   }
 
   /// - J c_hat (s - s_0) I   [Ding19 Eq. 14]
@@ -234,7 +250,9 @@ struct Water : Effect {
     const auto spread = filled ? node[channel::water_spread] / node[channel::volume] + step.baking_dt * permeability / capacity : none;
     const auto h = permeability > 0 ? node[channel::evaporability] / permeability : none;
     const auto s = surface_saturation(s_i, around.saturation, node[channel::evaporability], permeability, reach(s_i, spread, h), k.layer);
-    const auto wanted = filled ? rate * (s - around.saturation) : none;
+    auto wanted = filled ? rate * (s - around.saturation) : none;
+    if constexpr (std::decay_t<decltype(node)>::template scatters<channel::VapourMobility>)
+      wanted += filled ? step.baking_dt * around.area * pore_vapour::through_surface(node, k.layer) : none;
     const auto evaporated = min(wanted, max(after_flux, none));
     const auto kept = max(after_flux - evaporated, none);
     budget.book(booked::evaporated, evaporated);
@@ -266,8 +284,9 @@ struct Water : Effect {
     });
   }
 
-  /// Something must be left for the solid.
+  /// Something must be left for the solid. Vapour needs pores, heat that it carries, and the temperatures of both ends of a step.
   static void check_material(const auto& scene, const auto& material, const Material& own, const auto& complaint) {
+    if (scene.lists(name) && own.has_vapour()) check_vapour(scene, material, own, complaint);
     const double water = material.initial_saturation * own.water_density_kg_per_m3;
     if (scene.lists(name) && material.initial_porosity + material.initial_saturation > 1)
       complaint.at("initial_saturation", "found {} of the volume water and {} gas (initial_porosity), allowed: together at most 1",
@@ -277,22 +296,36 @@ struct Water : Effect {
                  material.density_kg_per_m3);
   }
 
+  static void check_vapour(const auto& scene, const auto& material, const Material& own, const auto& complaint) {
+    const char* key = own.vapour_diffusivity_m2_per_s > 0 ? "vapour_diffusivity_m2_per_s" : "vapour_transfer_m_per_s";
+    if (own.vapour_diffusivity_m2_per_s == 0) complaint.at(key, "found without vapour_diffusivity_m2_per_s, allowed: with it, above 0");
+    if (!scene.lists(Heat::name)) complaint.at(key, "found without the effect heat, allowed: with it, since vapour carries heat");
+    if (scene.template of<Water>().latent_heat_J_per_kg == 0)
+      complaint.at(key, "found beside water.latent_heat_J_per_kg = 0, allowed: above 0 (water: 2.3e6)");
+    if (scene.template of<Water>().form == Form::published)
+      complaint.at(key, "found beside water.form = 'published', allowed: beside the standard form");
+    if (scene.template of<Heat>().integrator == Heat::Integrator::backward_euler)
+      complaint.at(key, "found beside heat.integrator = 'backward_euler', allowed: beside 'forward_euler'");
+    if (material.initial_porosity == 0) complaint.at(key, "found beside initial_porosity = 0, allowed: with pores");
+  }
+
   static bool swells(const Material& own) { return own.pressure_Pa > 0; }
   /// Can evaporation cool?
   static bool cools(const auto& scene, const Material& own) {
-    return scene.template of<Water>().latent_heat_J_per_kg > 0 && own.evaporation_kg_per_m2sK > 0;
+    return scene.template of<Water>().latent_heat_J_per_kg > 0 && (own.evaporation_kg_per_m2sK > 0 || own.has_vapour());
   }
   static std::string idle(const auto& here) {
     const bool acts = here.any(here.materials, [](const auto* m) {
       const auto& own = m->effects.template get<Material>();
-      return own.diffusivity_m2_per_sK > 0 || own.pressure_Pa > 0;
+      return own.diffusivity_m2_per_sK > 0 || own.pressure_Pa > 0 || own.has_vapour();
     });
     return acts ? ""
                 : "diffusivity_m2_per_sK and pressure_Pa are zero: no water comes to the surface, it only counts as mass and heat capacity";
   }
   static const char* coefficient(const Material& own) {
     if (own.diffusivity_m2_per_sK > 0) return "diffusivity_m2_per_sK";
-    return own.evaporation_kg_per_m2sK > 0 ? "evaporation_kg_per_m2sK" : own.pressure_Pa > 0 ? "pressure_Pa" : "";
+    if (own.evaporation_kg_per_m2sK > 0) return "evaporation_kg_per_m2sK";
+    return own.pressure_Pa > 0 ? "pressure_Pa" : own.vapour_diffusivity_m2_per_s > 0 ? "vapour_diffusivity_m2_per_s" : "";
   }
 };
 

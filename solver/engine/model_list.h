@@ -35,6 +35,9 @@ using Compositions = std::tuple<
     // set dough that breaks
     Composition<Motion, Elasticity, Plasticity, Brittleness>,                     //
     Composition<Motion, FreeSurface, Heat, Elasticity, Plasticity, Brittleness>,  //
+    // with vapour in the pores
+    Composition<FreeSurface, Vapour, Heat, Water>,                                                          //
+    Composition<Motion, FreeSurface, Vapour, Heat, Water, MovingWater, Elasticity, Plasticity, Leavening>,  //
     // with FLIP, for studies of transfers
     Composition<Motion, FlipMemory, Elasticity>,              //
     Composition<Motion, FlipMemory, Elasticity, Plasticity>,  //

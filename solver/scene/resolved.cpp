@@ -81,7 +81,8 @@ void take_former_names(nlohmann::json& values, const FormerNames& former) {
 /// what was measured before stays valid.
 void leave_out_later_keys(nlohmann::json& values, const Scene& scene) {
   const auto leave_out = [](nlohmann::json& object, const nlohmann::json& standard) {
-    for (const char* key : {"stress_in_frames", "settle_damping_per_s", "settle_still_m_per_s", "settle_longest_s", "ledger"})
+    for (const char* key : {"stress_in_frames", "settle_damping_per_s", "settle_still_m_per_s", "settle_longest_s", "ledger",
+                            "vapour_diffusivity_m2_per_s", "vapour_transfer_m_per_s", "hygroscopic_water_kg_per_kg"})
       if (object.contains(key) && object[key] == standard.at(key)) object.erase(key);
   };
   leave_out(values["run"], json_members(RunSettings{}));
@@ -89,6 +90,9 @@ void leave_out_later_keys(nlohmann::json& values, const Scene& scene) {
   for (nlohmann::json& collider : values["collider"]) leave_out(collider, json_members(Collider{}));
   for (nlohmann::json& grip : values["grip"]) leave_out(grip, json_members(Grip{}));
   if (values["face"].empty()) values.erase("face");
+  nlohmann::json material;
+  for_each_effect([&]<class Effect>() { material.update(json_members(typename Effect::Material{})); });
+  for (nlohmann::json& own : values["material"]) leave_out(own, material);
 }
 
 std::uint64_t fnv1a(std::string_view text) {

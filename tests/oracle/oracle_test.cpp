@@ -318,10 +318,22 @@ std::vector<RandomScene> every_form() {
   return all;
 }
 
-/// What the paper does not have: latent heat of melting, and dough without pores.
+/// What the paper does not have: latent heat of melting, dough without pores, and vapour in pores.
 std::vector<RandomScene> every_addition() {
   const std::string melts = "transition_heat_J_per_kg = 500\ntransition_from_C = 20\ntransition_to_C = 22";
+  const std::string vapour = "vapour_diffusivity_m2_per_s = 5\nvapour_transfer_m_per_s = 10\nhygroscopic_water_kg_per_kg = 0.3";
+  const std::string latent = "latent_heat_J_per_kg = 2e3";
   return {{.name = "melting", .effects = k_everything, .material = melts, .seed = 300},
+          {.name = "vapour_at_rest", .effects = "heat, water", .water = latent, .material = vapour, .seed = 303},
+          {.name = "vapour_at_rest_cubic", .effects = "heat, water", .kernel = "cubic", .water = latent, .material = vapour, .seed = 304},
+          {.name = "vapour", .effects = k_everything, .water = latent, .material = vapour, .seed = 305},
+          {.name = "vapour_published_surface",
+           .effects = k_everything,
+           .kernel = "cubic",
+           .water = latent,
+           .surface = "form = \"published\"",
+           .material = vapour,
+           .seed = 306},
           {.name = "melting_backward_euler",
            .effects = k_everything,
            .heat = "integrator = \"backward_euler\"",

@@ -57,6 +57,15 @@ TEST_F(FrameMetrics, TellHowMuchHotterTheSurfaceIs) {
   EXPECT_EQ(measure("temperature_lead", place), 15);
 }
 
+TEST_F(FrameMetrics, FollowTheWaterOfAParticle) {
+  frame(0, {{1, {0, 0, 0}, 20, 20, 1, 4}, {2, {1, 0, 0}, 20, 20, 1, 2}, {3, {2, 0, 0}, 20, 20, 1, 0}});
+  frame(2, {{2, {0, 0, 0}, 20, 20, 1, 3}, {3, {2, 0, 0}, 20, 20, 1, 1}, {1, {1, 0, 0}, 20, 20, 1, 1}});
+  EXPECT_DOUBLE_EQ(measure("water_at", {.point_m = Vector3{0.9, 0, 0}}), 1.5) << "of the particle, not of the place";
+  EXPECT_DOUBLE_EQ(measure("water_at", {.point_m = Vector3{0, 0, 0}}), 0.25);
+  EXPECT_DOUBLE_EQ(measure("water_at", {.time_s = 0, .point_m = Vector3{0, 0, 0}}), 1);
+  EXPECT_TRUE(std::isnan(measure("water_at", {.point_m = Vector3{2, 0, 0}}))) << "it had none";
+}
+
 TEST_F(FrameMetrics, ShareVolumesNotParticles) {
   frame(0, {{1, {-1, 0, 0}}, {2, {1, 0, 0}}});
   frame(2, {{1, {-1, 0, 0}, 20, 70, 1}, {2, {3, 0, 0}, 20, 90, 3}});

@@ -165,6 +165,26 @@ TEST(SceneError, MaterialsMustHoldMoreThanTheirWater) {
             "allowed: less water than mixture");
 }
 
+TEST(SceneError, VapourNeedsPoresAndHeatThatItCarries) {
+  const std::string water = "effects = [\"water\", \"heat\"]\n" + k_least;
+  const std::string latent = "[water]\nlatent_heat_J_per_kg = 2e6\n";
+  const std::string dough = k_dough + "specific_heat_J_per_kgK = 1\nconductivity_W_per_mK = 1\n";
+  const std::string vapour = "vapour_diffusivity_m2_per_s = 2e-5\n", pores = "initial_porosity = 0.5\n";
+  const std::string place = "material.dough.vapour_diffusivity_m2_per_s: found ";
+  EXPECT_EQ(error_of(water + latent + dough + pores + vapour), "");
+  EXPECT_EQ(error_of(water + dough + pores + vapour),
+            "bread.toml:16: " + place + "beside water.latent_heat_J_per_kg = 0, allowed: above 0 (water: 2.3e6)");
+  EXPECT_EQ(error_of(water + latent + dough + vapour), "bread.toml:17: " + place + "beside initial_porosity = 0, allowed: with pores");
+  EXPECT_EQ(error_of(water + latent + "form = \"published\"\n" + dough + pores + vapour),
+            "bread.toml:19: " + place + "beside water.form = 'published', allowed: beside the standard form");
+  EXPECT_EQ(error_of(water + latent + "[heat]\nintegrator = \"backward_euler\"\n" + dough + pores + vapour),
+            "bread.toml:20: " + place + "beside heat.integrator = 'backward_euler', allowed: beside 'forward_euler'");
+  EXPECT_EQ(error_of("effects = [\"water\"]\n" + k_least + latent + k_dough + pores + vapour),
+            "bread.toml:16: " + place + "without the effect heat, allowed: with it, since vapour carries heat");
+  EXPECT_EQ(error_of(water + latent + dough + pores + "vapour_transfer_m_per_s = 1\n"),
+            "bread.toml:18: material.dough.vapour_transfer_m_per_s: found without vapour_diffusivity_m2_per_s, allowed: with it, above 0");
+}
+
 TEST(SceneError, WaterAndGasMustNotFillMoreThanTheVolume) {
   EXPECT_EQ(error_of("effects = [\"water\"]\n" + k_least + k_dough + "initial_porosity = 0.7\ninitial_saturation = 0.4\n"),
             "bread.toml:14: material.dough.initial_saturation: found 0.4 of the volume water and 0.7 gas (initial_porosity), "
