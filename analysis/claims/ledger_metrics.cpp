@@ -2,6 +2,7 @@
 // Metrics of the ledger.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/claims/finite.h"
@@ -60,6 +61,28 @@ double springback(const Results& run, const MetricPlace& at) {
   return lost != 0 ? (run.last("height_m") - pressed) / lost : std::nan("");
 }
 
+/// A number of [oven] that does not change with time.
+double steady(const Results& run, const char* key) {
+  const auto& value = run.description().at("scene").at("oven").at(key);
+  if (!value.is_number())
+    throw InputError(fmt::format("{}: scene.oven.{}: found one that changes with time, allowed: a number", run.folder().string(), key));
+  return value.get<double>();
+}
+
+/// Of the whole surface: theta_out - q / beta, q being the heat that came in between the frames around, over area and time. Particles and
+/// nodes lie deeper, which makes some 10 K in a loaf; this is the temperature that the layer above them is solved with.
+double surface_temperature(const Results& run, const MetricPlace& at) {
+  run.expect_change();
+  const std::vector<double> times = run.column("time_s"), heat = run.column("heat_exchanged_J");
+  const auto frame = static_cast<std::size_t>(run.frame_at(at.time_s)), before = frame > 0 ? frame - 1 : 0,
+             after = std::min(frame + 1, times.size() - 1);
+  const double exposed = (times[after] - times[before]) * run.at("surface_m2", frame);
+  const double beta = steady(run, "heat_transfer_coefficient_W_per_m2K");
+  if (run.at("contact_surface_m2", frame) > 0)
+    throw NoNumber(fmt::format("{}: found a surface that touches hot solids, allowed: air alone", run.folder().string()));
+  return exposed * beta > 0 ? steady(run, "temperature_C") - (heat[after] - heat[before]) / (exposed * beta) : std::nan("");
+}
+
 }  // namespace
 
 std::vector<Metric> ledger_metrics() {
@@ -74,6 +97,9 @@ std::vector<Metric> ledger_metrics() {
       {"springback", "1", any_number, "share of the height that was lost from reference_time_s to time_s and is there again at the end",
        springback, needs(), knows("reference_time_s", "time_s")},
       {"surface", "m^2", non_negative, "surface that touches air at the end", last("surface_m2")},
+      {"surface_temperature", "C", above_absolute_zero,
+       "mean temperature of the surface in a steady oven, from the heat that comes through it; of what touches air alone",
+       surface_temperature, needs(), knows("time_s")},
       {"water_lost_share", "1", non_negative, "evaporated water over the water at the start and of what was poured",
        [](const Results& run, const MetricPlace&) { return run.last("water_evaporated_kg") / mass_of(run, "water_mass_kg"); }},
       {"gas_made", "mol", non_negative, "CO2 made until the end", last("gas_mol")},

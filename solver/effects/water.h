@@ -284,9 +284,9 @@ struct Water : Effect {
     });
   }
 
-  /// Something must be left for the solid. Vapour needs pores, heat that it carries, and the temperatures of both ends of a step.
+  /// Something must be left for the solid. Vapour needs heat that it carries, and the temperatures of both ends of a step.
   static void check_material(const auto& scene, const auto& material, const Material& own, const auto& complaint) {
-    if (scene.lists(name) && own.has_vapour()) check_vapour(scene, material, own, complaint);
+    if (scene.lists(name) && own.has_vapour()) check_vapour(scene, own, complaint);
     const double water = material.initial_saturation * own.water_density_kg_per_m3;
     if (scene.lists(name) && material.initial_porosity + material.initial_saturation > 1)
       complaint.at("initial_saturation", "found {} of the volume water and {} gas (initial_porosity), allowed: together at most 1",
@@ -296,7 +296,7 @@ struct Water : Effect {
                  material.density_kg_per_m3);
   }
 
-  static void check_vapour(const auto& scene, const auto& material, const Material& own, const auto& complaint) {
+  static void check_vapour(const auto& scene, const Material& own, const auto& complaint) {
     const char* key = own.vapour_diffusivity_m2_per_s > 0 ? "vapour_diffusivity_m2_per_s" : "vapour_transfer_m_per_s";
     if (own.vapour_diffusivity_m2_per_s == 0) complaint.at(key, "found without vapour_diffusivity_m2_per_s, allowed: with it, above 0");
     if (!scene.lists(Heat::name)) complaint.at(key, "found without the effect heat, allowed: with it, since vapour carries heat");
@@ -306,7 +306,6 @@ struct Water : Effect {
       complaint.at(key, "found beside water.form = 'published', allowed: beside the standard form");
     if (scene.template of<Heat>().integrator == Heat::Integrator::backward_euler)
       complaint.at(key, "found beside heat.integrator = 'backward_euler', allowed: beside 'forward_euler'");
-    if (material.initial_porosity == 0) complaint.at(key, "found beside initial_porosity = 0, allowed: with pores");
   }
 
   static bool swells(const Material& own) { return own.pressure_Pa > 0; }

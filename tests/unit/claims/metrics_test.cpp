@@ -57,12 +57,40 @@ TEST_F(FrameMetrics, TellHowMuchHotterTheSurfaceIs) {
   EXPECT_EQ(measure("temperature_lead", place), 15);
 }
 
+class SurfaceTemperature : public WrittenRun {
+ protected:
+  explicit SurfaceTemperature(const std::string& oven = "190", double contact = 0)
+      : WrittenRun(
+            R"({"summary": {"state": "done"}, "scene": {"oven": {"heat_transfer_coefficient_W_per_m2K": 10, "temperature_C": )" + oven +
+                "}}}",
+            "time_s,surface_m2,contact_surface_m2,heat_exchanged_J\n0,2,0,0\n2,2,0,4000\n6,4," + std::to_string(contact) + ",12000\n") {}
+};
+class SurfaceTemperatureInAnOvenThatWarms : public SurfaceTemperature {
+ protected:
+  SurfaceTemperatureInAnOvenThatWarms() : SurfaceTemperature("[[0, 20], [1, 190]]") {}
+};
+class SurfaceTemperatureOnATray : public SurfaceTemperature {
+ protected:
+  SurfaceTemperatureOnATray() : SurfaceTemperature("190", 0.1) {}
+};
+
+TEST_F(SurfaceTemperature, IsWhatTheHeatThatCameInAsksFor) {
+  EXPECT_DOUBLE_EQ(measure("surface_temperature", {.time_s = 2}), 190 - 12000. / (10 * 2 * 6)) << "from the frames around";
+  EXPECT_DOUBLE_EQ(measure("surface_temperature", {.time_s = 0}), 190 - 4000. / (10 * 2 * 2));
+  EXPECT_DOUBLE_EQ(measure("surface_temperature", {}), 190 - 8000. / (10 * 4 * 4));
+}
+TEST_F(SurfaceTemperatureInAnOvenThatWarms, IsRefused) { EXPECT_THROW(measure("surface_temperature", {}), InputError); }
+TEST_F(SurfaceTemperatureOnATray, IsNoNumberWhereItTouchesTheTray) {
+  EXPECT_NO_THROW(measure("surface_temperature", {.time_s = 2}));
+  EXPECT_THROW(measure("surface_temperature", {}), InputError);
+}
+
 TEST_F(FrameMetrics, FollowTheWaterOfAParticle) {
   frame(0, {{1, {0, 0, 0}, 20, 20, 1, 4}, {2, {1, 0, 0}, 20, 20, 1, 2}, {3, {2, 0, 0}, 20, 20, 1, 0}});
   frame(2, {{2, {0, 0, 0}, 20, 20, 1, 3}, {3, {2, 0, 0}, 20, 20, 1, 1}, {1, {1, 0, 0}, 20, 20, 1, 1}});
   EXPECT_DOUBLE_EQ(measure("water_at", {.point_m = Vector3{0.9, 0, 0}}), 1.5) << "of the particle, not of the place";
   EXPECT_DOUBLE_EQ(measure("water_at", {.point_m = Vector3{0, 0, 0}}), 0.25);
-  EXPECT_DOUBLE_EQ(measure("water_at", {.time_s = 0, .point_m = Vector3{0, 0, 0}}), 1);
+  EXPECT_DOUBLE_EQ(measure("water_at", {.point_m = Vector3{0, 0, 0}, .time_s = 0}), 1);
   EXPECT_TRUE(std::isnan(measure("water_at", {.point_m = Vector3{2, 0, 0}}))) << "it had none";
 }
 

@@ -64,12 +64,15 @@ TEST(Fingerprint, IsTheSameForTheSamePhysics) {
   EXPECT_EQ(scene_fingerprint(parse(k_full, {"motion.inertia_scale=1.0"})), print);
 }
 
+TEST(Fingerprint, IsTheOneFromBeforeThereWasVapour) { EXPECT_EQ(scene_fingerprint(parse(k_full)), "8e28fa6195d565ac"); }
+
 TEST(Fingerprint, IsAnotherForOtherPhysics) {
   const std::string print = scene_fingerprint(parse(k_full));
   EXPECT_NE(scene_fingerprint(parse_scene(k_full, "bread.toml", {Quality::draft, {}})), print);
   for (const char* change :
        {"run.frame_rate_per_s=24", "run.seed=2", "run.precision=single", "material.dough.young_modulus_Pa=100001", "body.0.shape.scale=2.5",
-        "oven.temperature_C=[[0,20],[61,200]]", "effects=['motion']", "run.stress_in_frames=true", "motion.settle_damping_per_s=1"}) {
+        "oven.temperature_C=[[0,20],[61,200]]", "effects=['motion']", "run.stress_in_frames=true", "motion.settle_damping_per_s=1",
+        "material.dough.hygroscopic_water_kg_per_kg=0.06"}) {
     EXPECT_NE(scene_fingerprint(parse(k_full, {change})), print) << change;
   }
 }
