@@ -2,7 +2,9 @@
 // Frames and pictures in the sizes that a page can carry: for the report.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -114,6 +116,8 @@ void make_model(const ModelOptions& options) {
   const int threads = thread_count(options.threads);
   fs::create_directories(options.out);
   const auto count_in = [&](int frame) { return FrameReader(options.results / "frames" / frame_name(frame)).particles(); };
+  if (std::adjacent_find(options.frames.begin(), options.frames.end(), std::greater_equal<>()) != options.frames.end())
+    throw InputError(fmt::format("--frames: found {}, allowed: rising numbers", fmt::join(options.frames, ",")));
   const std::size_t count = std::max(count_in(options.frames.front()), count_in(options.frames.back()));  // some may be poured
   const double share = std::min(1.0, options.particles / static_cast<double>(images * count));
   const nlohmann::json look{{"skin", stops_of(view.crust.skin)}, {"crumb", stops_of(view.crust.crumb)}};

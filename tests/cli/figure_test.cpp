@@ -156,6 +156,8 @@ TEST_F(AFigure, PassesOnWhatTheOtherProgramsSay) {
   program("bake-render", "echo 'bake-render: side.toml:3: camera: missing' >&2; exit 2");
   expect_refused(place, "figure 1 --quiet", "bake: bake-render: side.toml:3: camera: missing\n");
   program("bake-render", "[ $1 = jpeg ] || echo \"$@\" >arguments; echo png >results/items/dough-draft/side.png");
+  for (const char* size : {"10", "8x48", "64x99999", "64*48", "x"})
+    expect_refused(place, fmt::format("figure 1 --quiet --size {}", size), fmt::format("found {}, allowed: WIDTHxHEIGHT", size));
   EXPECT_EQ(place.bake("figure 1 --quiet --size 64x48 --samples 2 --threads 1").exit_code, 0);
   EXPECT_EQ(contents(place.folder() / "arguments"),
             fmt::format("picture {}/experiments/fig01_dough/views/side.toml results/soft-draft/frames/0001.hdf "
