@@ -16,7 +16,7 @@ namespace {
 template <class... Structs>
 constexpr std::size_t k_keys = (0 + ... + std::tuple_size_v<decltype(Structs::parameters())>);
 static_assert(
-    k_keys<DomainSettings, GridSettings, SurfaceSettings, Oven, Material, Body, Collider, Grip, DomainFace, Emitter, Skin> == 75 &&
+    k_keys<DomainSettings, GridSettings, SurfaceSettings, Oven, Material, Body, Collider, Grip, DomainFace, Emitter, Skin> == 76 &&
         k_keys<Motion::Settings, Heat::Settings, Water::Settings, Elasticity::Settings, Plasticity::Settings, Leavening::Settings> == 22 &&
         k_keys<Heat::Material, Water::Material, Elasticity::Material, Plasticity::Material, Leavening::Material> == 20,
     "scenes have another number of keys: hand the new one to the textbook or refuse it here, so that it is not left out silently");
@@ -178,6 +178,7 @@ textbook::Surroundings surroundings_of(const Scene& scene, double time_s, double
     s.solids.back().rule = plain(collider.contact);
     s.solids.back().friction = collider.friction;
     s.solids.back().expels = collider.expels;
+    s.solids.back().covers = collider.covers;
     s.solids.back().beta = collider.heat_transfer_coefficient_W_per_m2K;
   }
   for (const Grip& grip : scene.grips) {
@@ -185,6 +186,7 @@ textbook::Surroundings surroundings_of(const Scene& scene, double time_s, double
     s.solids.push_back(solid_at(grip, time_s));
     s.solids.back().rule = textbook::Rule::sticky;
     s.solids.back().is_grip = true;
+    s.solids.back().covers = false;
   }
   for (const DomainFace& face : scene.faces) {
     if (!face.passes_heat()) continue;

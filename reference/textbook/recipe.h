@@ -100,6 +100,7 @@ struct Solid {
   double friction = 0;
   bool expels = false;               ///< also moves particles out, one by one
   bool is_grip = false;              ///< holds what is inside it: no surface of its own
+  bool covers = true;                ///< shuts off the surface that it touches from the air
   std::optional<double> theta = {};  ///< [C]; a collider without it passes no heat
   double beta = 0;                   ///< [W/(m^2 K)]; infinite: the dough's surface has that temperature
   double flux = 0;                   ///< that comes in whatever the temperatures are [W/m^2]

@@ -53,11 +53,11 @@ double mirrored_volume(const Grid& grid, Index i, std::size_t axis = 0) {
   return sum;
 }
 
-/// Colliders, then walls.
+/// Colliders that cover, then walls.
 std::vector<const Solid*> what_covers(const Surroundings& surroundings) {
   std::vector<const Solid*> all;
   for (const Solid& solid : surroundings.solids)
-    if (!solid.is_grip) all.push_back(&solid);
+    if (solid.covers) all.push_back(&solid);
   for (const Solid& wall : surroundings.walls) all.push_back(&wall);
   return all;
 }

@@ -42,6 +42,7 @@ Contacts::Contacts(const Scene& scene, const GridGeometry& geometry)
                     rule,
                     c.friction,
                     c.expels,
+                    c.covers,
                     c.temperature_C,
                     c.heat_transfer_coefficient_W_per_m2K,
                     path.moves() ? path.largest_speed(c.shape->bounds(), domain) : 0,
@@ -52,6 +53,7 @@ Contacts::Contacts(const Scene& scene, const GridGeometry& geometry)
     all_.push_back({{g.shape, path, g.from_s, g.until_s},
                     Rule::grip,
                     0,
+                    false,
                     false,
                     g.temperature_C,
                     0,
@@ -107,7 +109,9 @@ void Contacts::prepare(double time, bool at_rest) {
 }
 
 bool Contacts::cover_near(const BlockIndex& block, double reach) const {
-  if (collider_near(block, reach)) return true;
+  if (std::any_of(present_.begin(), present_.end(),
+                  [&](const Present& p) { return p.contact->covers && reaches(p, block, reach + touching()); }))
+    return true;
   const Point low = geometry_.origin(block), high = low + (3 * geometry_.dx()) * Vector3{1, 1, 1};
   return std::any_of(walls_.begin(), walls_.end(),
                      [&](const Wall& w) { return std::min(w.distance(low), w.distance(high)) <= reach + touching(); });
@@ -241,7 +245,7 @@ template Vector3 Contacts::after_all<true>(const Point&, Vector3, const NodesAro
 
 std::optional<ContactHeat> Contacts::covering(const Point& x, const std::optional<Vector3>& n, double reach) const {
   for (const Present& p : present_) {
-    const auto d = p.contact->rule == Rule::grip ? std::nullopt : distance_within(p, x, reach);
+    const auto d = p.contact->covers ? distance_within(p, x, reach) : std::nullopt;
     if (!d) continue;
     if (n) {
       const bool ahead =
@@ -263,7 +267,7 @@ double Contacts::room(const Point& x) const {
     room *= 1 - (beyond(d - 1) + 2 * beyond(d) + beyond(d + 1)) / 4;
   };
   for (const Present& p : present_)
-    if (const auto distance = p.contact->rule == Rule::grip ? std::nullopt : distance_within(p, x, 2.5 * geometry_.dx())) take(*distance);
+    if (const auto distance = p.contact->covers ? distance_within(p, x, 2.5 * geometry_.dx()) : std::nullopt) take(*distance);
   for (const Wall& w : walls_) take(w.distance(x));
   return room;
 }

@@ -57,7 +57,7 @@ class Contacts final : public Obstacles {
   bool near(const BlockIndex& block, double reach) const;
   /// Does a collider lie within `reach` of the block?
   bool collider_near(const BlockIndex& block, double reach) const;
-  /// Does a collider or a face of the domain that passes heat lie within `reach` of the block?
+  /// Does a collider that covers, or a face of the domain that passes heat, lie within `reach` of the block?
   bool cover_near(const BlockIndex& block, double reach) const;
   /// Is dough mirrored at that face of the domain (x_min, x_max, y_min, ...) when its surface is measured? Not where heat or all passes.
   bool is_mirror(int face) const { return is_mirror_[static_cast<std::size_t>(face)]; }
@@ -84,12 +84,12 @@ class Contacts final : public Obstacles {
   }
   /// All nodes that contact with a collider depends on are no further from it than this [m].
   double reach_beside_colliders() const { return 2.1 * geometry_.dx(); }
-  /// Does a solid, or a face that passes heat, stand within `reach` of a surface at `x`, in front of its outward normal `n` if that is
-  /// known: does its nearest face look against n, or is a face nearer by reach / 2 if one goes that far along n, as where walls meet? Its
-  /// heat, zero if it gives none.
+  /// Does a solid that covers, or a face that passes heat, stand within `reach` of a surface at `x`, in front of its outward normal `n` if
+  /// that is known: does its nearest face look against n, or is a face nearer by reach / 2 if one goes that far along n, as where walls
+  /// meet? Its heat, zero if it gives none.
   std::optional<ContactHeat> covering(const Point& x, const std::optional<Vector3>& n, double reach) const;
-  /// The share that colliders and faces that pass heat leave to the dough of what is averaged into phi~ at `x` (surface.h): 1 from 2.5 dx
-  /// on, one half on the face of one, 0 inside. Grips take nothing, since they hold dough.
+  /// The share that colliders which cover and faces that pass heat leave to the dough of what is averaged into phi~ at `x` (surface.h): 1
+  /// from 2.5 dx on, one half on the face of one, 0 inside. Grips take nothing, since they hold dough.
   double room(const Point& x) const;
   /// The nearest grip that holds a temperature, if one is within `reach` of `x`; distances in it are negative.
   std::optional<HeldNear> held_near(const Point& x, double reach) const;
@@ -107,6 +107,7 @@ class Contacts final : public Obstacles {
     Rule rule;
     double friction;
     bool expels;
+    bool covers;  ///< shuts off the surface that it touches from the air
     std::optional<Curve> temperature;
     double heat_transfer_coefficient;
     double speed;  ///< largest in the domain over its whole path [m/s]

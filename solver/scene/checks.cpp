@@ -168,6 +168,8 @@ void check(const SceneEntry& entry, const Collider& value, const Scene& scene) {
   check_keyframes(entry, value.motion);
   check_span(entry, value);
   check_ledger(entry, value, scene.colliders);
+  if (value.temperature_C && !value.covers)
+    Complaint(entry).at("covers", "found false with temperature_C, allowed: true, since heat passes where it covers");
   check_beside_periodic(entry, value, scene);
 }
 

@@ -81,7 +81,7 @@ void take_former_names(nlohmann::json& values, const FormerNames& former) {
 /// what was measured before stays valid.
 void leave_out_later_keys(nlohmann::json& values, const Scene& scene) {
   const auto leave_out = [](nlohmann::json& object, const nlohmann::json& standard) {
-    for (const char* key : {"stress_in_frames", "settle_damping_per_s", "settle_still_m_per_s", "settle_longest_s", "ledger"})
+    for (const char* key : {"stress_in_frames", "settle_damping_per_s", "settle_still_m_per_s", "settle_longest_s", "ledger", "covers"})
       if (object.contains(key) && object[key] == standard.at(key)) object.erase(key);
   };
   leave_out(values["run"], json_members(RunSettings{}));

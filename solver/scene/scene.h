@@ -93,7 +93,8 @@ struct Collider {
   Contact contact = Contact::separating;
   double friction = 0;
   bool expels = false;
-  std::optional<Curve> temperature_C;  ///< unset: it conducts no heat, and the oven's air reaches between it and the dough
+  bool covers = true;
+  std::optional<Curve> temperature_C;  ///< unset: it passes no heat
   double heat_transfer_coefficient_W_per_m2K = 0;
   bool ledger = false;
   static constexpr auto parameters() {
@@ -108,6 +109,9 @@ struct Collider {
         Parameter{"friction", &Collider::friction, "1", non_negative, "Coulomb coefficient (contact = \"separating\")"},
         Parameter{"expels", &Collider::expels, "", any_number,
                   "also moves single particles out of it: for blades, which are so thin that the grid alone would let dough pass"},
+        Parameter{"covers", &Collider::covers, "", any_number,
+                  "shuts off the surface that it touches, within about two cells, from the air; false for a rack through which the air "
+                  "passes: it pushes only, and dough on it exchanges heat and vapour with the air all over"},
         Parameter{"temperature_C", &Collider::temperature_C, "C", above_absolute_zero,
                   "conductive theta over time; without it the collider passes no heat"},
         Parameter{"heat_transfer_coefficient_W_per_m2K", &Collider::heat_transfer_coefficient_W_per_m2K, "W/(m^2 K)", non_negative,

@@ -174,6 +174,7 @@ until_s = 0.01
 [[collider]]
 shape = { box = { centre_m = [0.0213, 0.0127, -0.1831], half_extents_m = [0.3, 0.3, 0.09] } }
 contact = "slip"
+covers = false
 from_s = 0.02
 )";
   const std::string hot_faces = R"(

@@ -81,6 +81,18 @@ TEST(AFreeFaceBetweenColliders, HasItsAreaAtAnyResolutionAndAngle) {
   EXPECT_NEAR(area_between_walls(8, 27, false, "single"), 1, 0.05);
 }
 
+TEST(ARackThatDoesNotCover, LeavesTheSurfaceAsItIsInTheAir) {
+  Dough dough;
+  dough.shape = "box = { half_extents_m = [0.6, 0.6, 0.3] }";
+  const double in_the_air = measured_area(dough);
+  dough.tables =
+      "[[collider]]\nshape = { cylinder = { from_m = [-1, 0, -0.35], to_m = [1, 0, -0.35], radius_m = 0.05 } }\ncovers = false\n";
+  EXPECT_EQ(measured_area(dough), in_the_air);
+  const std::size_t key = dough.tables.find("covers");
+  dough.tables.resize(key);
+  EXPECT_LT(measured_area(dough), in_the_air - 0.06);  // half a dx on either side of the line at least
+}
+
 // Dough between faces that are a cell or a few apart is seen in both, to and fro. With one image in each face the area came out up to 2.7
 // times too large.
 TEST(AColumnBetweenFacesOfTheDomain, HasItsCrossSectionHoweverNarrowItIs) {

@@ -210,6 +210,12 @@ TEST(SceneError, KeyframesMustRiseInTime) {
             "bread.toml:11: grip.0.motion.0.time_s: missing, allowed: any finite number");
 }
 
+TEST(SceneError, AHotColliderCovers) {
+  EXPECT_EQ(
+      error_of(k_least + "[[collider]]\n" + k_ball + "temperature_C = 180\nheat_transfer_coefficient_W_per_m2K = 10\ncovers = false\n"),
+      "bread.toml:13: collider.0.covers: found false with temperature_C, allowed: true, since heat passes where it covers");
+}
+
 TEST(SceneError, TimesOfPresenceMustNotCross) {
   EXPECT_EQ(error_of(k_least + "[[grip]]\n" + k_ball + "from_s = 2\nuntil_s = 2\n"),
             "bread.toml:12: grip.0.until_s: found from_s = 2 and until_s = 2, allowed: from_s before until_s");
