@@ -170,6 +170,20 @@ TEST_F(AFigure, PassesOnWhatTheOtherProgramsSay) {
   EXPECT_FALSE(fs::exists(place.folder() / "arguments")) << "it was there: threads change no picture";
 }
 
+TEST_F(AFigure, ShowsItsBodiesFromTheirTimeOn) {
+  place.move_program_here();
+  place.write("experiments/fig01_dough/views/side.toml", "");
+  const std::string picture = "[[picture]]\nname = \"side\"\nshows = \"dough\"\nview = \"side\"\nof = \"soft\"\n";
+  const std::string object = "[[object]]\nname = \"turning\"\nshows = \"it\"\nview = \"side\"\npicture = \"side\"\nof = \"soft\"\n";
+  program("bake-render", R"(if [ $1 = model ]; then echo "$@" >arguments; mkdir -p results/items/dough-draft/turning/soft
+else echo png >results/items/dough-draft/side.png; fi)");
+  for (const auto& [from, frames] : {std::pair{"", " --frames 0,1,2 "}, {"from_s = 0.005\n", " --frames 1,2 "}}) {
+    figure(picture + object + from);
+    ASSERT_EQ(place.bake("figure 1 --quiet").exit_code, 0);
+    EXPECT_NE(contents(place.folder() / "arguments").find(frames), std::string::npos) << contents(place.folder() / "arguments");
+  }
+}
+
 TEST_F(AFigure, RunsItsParticlesFromAMeshAndMeasuresItsFractureSurface) {
   place.move_program_here();
   // the particles of another run serve as the vertices of a mesh
