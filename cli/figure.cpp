@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <regex>
 
 #include "cli/commands.h"
 #include "experiments/make/make_figure.h"
@@ -48,6 +49,18 @@ int figure(FigureArguments arguments, const std::string& kind) {
   return make(items, find_item(items, arguments.item, kind), arguments.options);
 }
 
+/// What bake-render allows, before anything is run.
+CLI::Validator picture_size() {
+  const auto check = [](const std::string& text) {
+    const std::regex two_numbers("0*([0-9]{1,5})x0*([0-9]{1,5})");
+    std::smatch sides;
+    const auto allowed = [&](std::size_t side) { return std::stoi(sides[side]) >= 16 && std::stoi(sides[side]) <= 16384; };
+    if (std::regex_match(text, sides, two_numbers) && allowed(1) && allowed(2)) return std::string();
+    return fmt::format("found {}, allowed: WIDTHxHEIGHT, each a whole number from 16 to 16384, as in 1280x960", text);
+  };
+  return {check, ""};
+}
+
 }  // namespace
 
 void add_figure_commands(CLI::App& app, Action& action) {
@@ -58,7 +71,9 @@ void add_figure_commands(CLI::App& app, Action& action) {
   figure_command.add_option("--only-run", arguments->options.only_run, "simulate this run of the figure and nothing else")
       ->type_name("NAME");
   figure_command.add_flag("--no-pictures", arguments->no_pictures, "leave out what needs bake-render");
-  figure_command.add_option("--size", arguments->options.size, "size of the pictures, instead of the view's")->type_name("WxH");
+  figure_command.add_option("--size", arguments->options.size, "size of the pictures, instead of the view's")
+      ->type_name("WxH")
+      ->check(picture_size());
   figure_command.add_option("--samples", arguments->options.samples, "paths of light per pixel, instead of the view's")
       ->type_name("N")
       ->transform(whole_number(1, 1'000'000));

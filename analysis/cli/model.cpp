@@ -2,7 +2,9 @@
 // Frames and pictures in the sizes that a page can carry: for the report.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -92,11 +94,12 @@ nlohmann::json stops_of(const std::vector<BrowningStop>& ramp) {
   return stops;
 }
 
-/// The particles of a frame, completed by the mirror images of the view's first object.
-Particles read_completed(const fs::path& frame, const ModelOptions& options, const std::string& mirrored) {
+/// The particles of a frame, completed by mirror images and turned as the view's first object.
+Particles read_completed(const fs::path& frame, const ModelOptions& options, const ObjectSettings& object) {
   Shown shown(frame, options.results, thread_count(options.threads));
   if (!shown.particles().ids.empty())
-    for (const char axis : mirrored) shown.mirror(axis - 'x');
+    for (const char axis : object.mirrored) shown.mirror(axis - 'x');
+  shown.turn(object.rotate_deg);
   return shown.particles();
 }
 
@@ -109,11 +112,13 @@ void number_images(Particles& particles, std::size_t images) {
 
 void make_model(const ModelOptions& options) {
   const View view = read_view(options.view);
-  const std::string& mirrored = view.objects.front().mirrored;
-  const std::size_t images = std::size_t{1} << mirrored.size();
+  const ObjectSettings& object = view.objects.front();
+  const std::size_t images = std::size_t{1} << object.mirrored.size();
   const int threads = thread_count(options.threads);
   fs::create_directories(options.out);
   const auto count_in = [&](int frame) { return FrameReader(options.results / "frames" / frame_name(frame)).particles(); };
+  if (std::adjacent_find(options.frames.begin(), options.frames.end(), std::greater_equal<>()) != options.frames.end())
+    throw InputError(fmt::format("--frames: found {}, allowed: rising numbers", fmt::join(options.frames, ",")));
   const std::size_t count = std::max(count_in(options.frames.front()), count_in(options.frames.back()));  // some may be poured
   const double share = std::min(1.0, options.particles / static_cast<double>(images * count));
   const nlohmann::json look{{"skin", stops_of(view.crust.skin)}, {"crumb", stops_of(view.crust.crumb)}};
@@ -124,7 +129,7 @@ void make_model(const ModelOptions& options) {
   std::size_t done = 0;
   for (const int number : options.frames) {
     const fs::path frame = options.results / "frames" / frame_name(number);
-    Particles particles = read_completed(frame, options, mirrored);
+    Particles particles = read_completed(frame, options, object);
     if (particles.ids.empty()) throw InputError(fmt::format("{}: has no column id, allowed: a frame of bake run", frame.string()));
     const bool has_heat = particles.find("temperature");
     const std::vector<MeshField> fields = fields_of(particles, has_heat ? &histories.at(options.results, view.browning, number) : nullptr);
@@ -141,7 +146,9 @@ void make_model(const ModelOptions& options) {
 void add_model_command(CLI::App& app, Action& action) {
   const auto options = std::make_shared<ModelOptions>();
   CLI::App* command = app.add_subcommand("model", "Surfaces and particles of some frames, small enough for a page on which they turn");
-  command->add_option("view", options->view, "whose [browning] colours them, and whose first [[object]] may be mirrored: a TOML file")
+  command
+      ->add_option("view", options->view,
+                   "whose [browning] colours them, and whose first [[object]] may be mirrored and turned: a TOML file")
       ->required();
   command->add_option("results", options->results, "folder of the run")->required();
   command->add_option("--frames", options->frames, "numbers of the frames, rising: 0,40,80")->required()->delimiter(',');

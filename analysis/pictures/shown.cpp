@@ -8,6 +8,7 @@
 #include "analysis/browning/browning.h"
 #include "analysis/surface/mesh_tools.h"
 #include "analysis/surface/splat.h"
+#include "solver/boundary/rotation.h"
 #include "solver/core/errors.h"
 #include "solver/io/frames.h"
 #include "solver/io/hdf5.h"
@@ -81,6 +82,16 @@ void Shown::mirror(int axis) {
   repeat(particles_->ids);
   for (MeshField& field : particles_->fields) repeat(field.values);
   for (std::size_t i = count; i < 2 * count; ++i) particles_->positions[3 * i + static_cast<std::size_t>(axis)] *= -1;
+}
+
+void Shown::turn(const Vector3& rotate_deg) {
+  if (!is_frame()) throw InputError(fmt::format("{}: rotate_deg: has no particles, allowed: a frame of bake run", file_.string()));
+  const Rotation rotation = matrix(quaternion(k_rad_per_deg * rotate_deg));
+  for (std::size_t i = 0; i < particles_->count(); ++i) {
+    float* p = &particles_->positions[3 * i];
+    const Vector3 q = rotation * Vector3{p[0], p[1], p[2]};
+    for (std::size_t d = 0; d < 3; ++d) p[d] = static_cast<float>(q[d]);
+  }
 }
 
 Mesh Shown::surface(double spacing_m) const { return mesh_ ? *mesh_ : splat_surface(*particles_, {spacing_m, threads_}); }

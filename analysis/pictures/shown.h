@@ -7,6 +7,7 @@
 #include <string>
 
 #include "analysis/surface/particles.h"
+#include "solver/core/vector3.h"
 #include "solver/io/mesh_file.h"
 
 namespace bake {
@@ -22,6 +23,8 @@ class Shown {
   void keep_material(int number);
   /// Adds all particles once more, mirrored at the plane through 0 across `axis` (0 to 2). Throws InputError if the file is no frame.
   void mirror(int axis);
+  /// Turns the particles about the origin. Throws InputError if the file is no frame.
+  void turn(const Vector3& rotate_deg);
   double time_s() const { return time_s_; }
   bool is_frame() const { return !mesh_; }
   /// A closed surface: of the particles (as splat_surface, `spacing_m` 0 is measured), of tetrahedra, or the triangles of the file.

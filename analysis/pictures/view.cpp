@@ -46,6 +46,8 @@ void check(const SceneEntry& root, const View& view) {
   const SceneEntry camera = table("camera");
   if (is_zero(view.camera.direction)) camera.find("direction")->complain("found no direction, allowed: not all zero");
   if (is_zero(view.slice.normal)) table("slice").find("normal")->complain("found no direction, allowed: not all zero");
+  if (view.slice.up && is_zero(cross(*view.slice.up, view.slice.normal)))
+    table("slice").find("up")->complain("found no direction across the normal, allowed: one across it");
   if (is_zero(view.light.direction)) table("light").find("direction")->complain("found no direction, allowed: not all zero");
   if (!view.camera.fit && (!view.camera.eye_m || !view.camera.target_m || view.camera.eye_m == view.camera.target_m))
     camera.complain("fit = false needs eye_m and target_m, two different points");

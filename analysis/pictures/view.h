@@ -218,6 +218,7 @@ struct ObjectSettings {
 /// [slice] - for technical pictures: the cut and how it is drawn
 struct SliceSettings {
   Vector3 normal = {0, -1, 0};
+  std::optional<Vector3> up;
   std::optional<Vector3> point_m;
   bool cut = true;
   bool edges = false;
@@ -226,6 +227,8 @@ struct SliceSettings {
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"normal", &SliceSettings::normal, "", any_number, "the side of the plane that is taken away, from which it is seen"},
+        Parameter{"up", &SliceSettings::up, "", any_number,
+                  "what is drawn upwards, not along the normal; default: z, or y if it is seen along z"},
         Parameter{"point_m", &SliceSettings::point_m, "m", any_number, "a point of the plane; default: the middle of each body"},
         Parameter{"cut", &SliceSettings::cut, "", any_number, "cut the bodies, or show their surfaces painted by the field"},
         Parameter{"edges", &SliceSettings::edges, "", any_number, "draw the edges of the triangles"},

@@ -26,7 +26,7 @@ struct Axes {
 
 Axes axes_of(const SliceSettings& slice) {
   const Eigen::Vector3d n = as_eigen(slice.normal).normalized();
-  const Eigen::Vector3d up = std::abs(n.z()) > 0.999 ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d up = slice.up ? as_eigen(*slice.up) : std::abs(n.z()) > 0.999 ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
   const Eigen::Vector3d right = up.cross(n).normalized();
   return {right, n.cross(right), n};
 }

@@ -8,6 +8,7 @@
 #include "experiments/accuracy/result.h"
 #include "experiments/common/study.h"
 #include "solver/core/errors.h"
+#include "solver/core/tell.h"
 #include "solver/io/atomic_file.h"
 #include "solver/io/provenance.h"
 #include "solver/scene/scene.h"
@@ -59,9 +60,9 @@ int measure(std::vector<Task>& tasks, int repeats) {
       const Found found = t.of->measure(t.scene, t.variant.by);
       t.raw->append(t.identity, found, *speed);
       ++measured;
-      fmt::print(stderr, "{}, {}, {} cells, {} of {}: {}; {:.2g} particle-steps, {:.2g} s\n", t.of->name, t.variant.label, t.variant.cells,
-                 pass + 1, repeats, found.failure.empty() ? "error " + percent(found.error) : found.failure,
-                 static_cast<double>(found.particle_steps), found.wall_s);
+      tell_user("{}, {}, {} cells, {} of {}: {}; {:.2g} particle-steps, {:.2g} s", t.of->name, t.variant.label, t.variant.cells, pass + 1,
+                repeats, found.failure.empty() ? "error " + percent(found.error) : found.failure, static_cast<double>(found.particle_steps),
+                found.wall_s);
     }
   }
   return measured;
@@ -79,7 +80,7 @@ void write(const std::vector<CaseResult>& results, const std::filesystem::path& 
   try {
     for (const CaseResult& r : results) write_charts(r, out / "accuracy");
   } catch (const InputError& error) {  // without gnuplot the tables are as good
-    fmt::print(stderr, "charts are left out: {}\n", error.what());
+    tell_user("charts are left out: {}", error.what());
   }
 }
 
@@ -110,7 +111,7 @@ bool run_accuracy(const StudyOptions& options) {
   std::vector<Task> tasks;
   for (const Case* c : cases) {
     if (const std::string why = c->missing(); !why.empty()) {
-      fmt::print(stderr, "{}: left out: {}\n", c->name, why);
+      tell_user("{}: left out: {}", c->name, why);
       continue;
     }
     for (const Variant& v : variants_of(*c, effort_of(options))) {

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "solver/core/errors.h"
+#include "solver/core/tell.h"
 #include "solver/io/provenance.h"
 #include "solver/scene/entry.h"
 #include "solver/scene/resolved.h"
@@ -52,7 +53,7 @@ RawData::RawData(const std::filesystem::path& folder, const std::string& name) :
   const std::string text = read_text_file(file_);
   const std::size_t whole = text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1;
   if (whole < text.size()) {
-    fmt::print(stderr, "{}: its last line is half-written and left out\n", file_.string());
+    tell_user("{}: its last line is half-written and left out", file_.string());
     std::filesystem::resize_file(file_, whole);
   }
   int number = 0;

@@ -11,6 +11,7 @@
 #include "experiments/common/study.h"
 #include "experiments/convergence/cases.h"
 #include "solver/core/errors.h"
+#include "solver/core/tell.h"
 #include "solver/io/provenance.h"
 
 namespace bake::studies {
@@ -101,8 +102,7 @@ bool run_convergence(const StudyOptions& options) {
       held &= row["holds"].get<bool>();
       rows.push_back(std::move(row));
     }
-    if (asked)
-      fmt::print(stderr, "{}: {:.1f} s\n", c.name, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    if (asked) tell_user("{}: {:.1f} s", c.name, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   write_tables(options, "orders", {{"study", "convergence"}, {"orders", rows}}, as_markdown(rows));
   fmt::print("{}; written to {}\n", held ? "every band holds" : "NOT every band holds", options.out.string());

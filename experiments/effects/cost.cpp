@@ -9,6 +9,7 @@
 #include "analysis/machines/scenes.h"
 #include "analysis/machines/stopwatch.h"
 #include "experiments/effects/effects.h"
+#include "solver/core/tell.h"
 #include "solver/engine/engine.h"
 #include "solver/run/simulation.h"
 #include "solver/scene/scene.h"
@@ -70,7 +71,7 @@ std::vector<Cost> measure_costs(const CostOptions& options) {
     if (combination.flip) continue;
     all.push_back(begin(combination, options));
     costs.push_back(describe(combination, all.back()));
-    fmt::print(stderr, "{} is warm\n", combination.name);
+    tell_user("{} is warm", combination.name);
   }
   for (int repeat = 0; repeat < options.repeats; ++repeat)
     for (std::size_t i = 0; i < all.size(); ++i) time_once(*all[i].simulation, options.steps, costs[i]);

@@ -9,6 +9,7 @@
 #include "analysis/machines/scenes.h"
 #include "analysis/machines/stopwatch.h"
 #include "experiments/effects/effects.h"
+#include "solver/core/tell.h"
 #include "solver/effects/all_effects.h"
 #include "solver/run/ledger.h"
 #include "solver/run/simulation.h"
@@ -68,8 +69,8 @@ Outcome run(const std::string& file, const std::vector<std::string>& left_out, d
   outcome.quantities = quantities_of(*simulation, scene, volume, water);
   outcome.particle_steps = static_cast<double>(simulation->counters().particle_steps);
   outcome.cpu_s = watch.cpu_s();
-  fmt::print(stderr, "{} at dx {:.4g} m{}{}: {:.1f} s\n", outcome.scene, outcome.dx_m, left_out.empty() ? "" : " without ",
-             fmt::join(left_out, ", "), outcome.cpu_s);
+  tell_user("{} at dx {:.4g} m{}{}: {:.1f} s", outcome.scene, outcome.dx_m, left_out.empty() ? "" : " without ", fmt::join(left_out, ", "),
+            outcome.cpu_s);
   return outcome;
 }
 

@@ -169,6 +169,7 @@ struct FigureObject {
   std::string view;
   std::string picture;
   std::vector<std::string> of;
+  double from_s = 0;
   bool particles = false;
   static constexpr auto parameters() {
     return std::tuple{
@@ -180,6 +181,8 @@ struct FigureObject {
         Parameter{"picture", &FigureObject::picture, "", any_number,
                   "the [[picture]] that stands for it in print and where nothing can turn", Presence::required},
         Parameter{"of", &FigureObject::of, "", any_number, "runs; the others are seen beside the first, at its times", Presence::required},
+        Parameter{"from_s", &FigureObject::from_s, "s", non_negative,
+                  "only what happens from then on: where the view turns a body that was turned over"},
         Parameter{"particles", &FigureObject::particles, "", any_number,
                   "particles can be shown, too: for what tears or is poured, of which surfaces change from moment to moment"},
     };

@@ -7,12 +7,13 @@
 
 #include "experiments/make/pipeline.h"
 #include "experiments/make/programs.h"
+#include "solver/core/tell.h"
 #include "solver/scene/entry.h"
 
 namespace bake {
 
 void say(const MakeOptions& options, const std::string& line) {
-  if (!options.quiet) fmt::print(stderr, "{}\n", line);
+  if (!options.quiet) tell_user("{}", line);
 }
 
 bool MadeFigure::holds() const {

@@ -22,10 +22,10 @@ int first_frame(const Results& run) {
 }
 
 /// The frames that are shown, closer together where the body changes.
-std::vector<int> frames_of(const Results& run) {
+std::vector<int> frames_of(const Results& run, double from_s) {
   std::vector<std::vector<double>> columns;
   for (const char* name : {"time_s", "volume_m3", "height_m", "extent_x_m", "extent_y_m"}) columns.push_back(run.column_as_it_is(name));
-  return moments(columns, k_moments, first_frame(run));
+  return moments(columns, k_moments, std::max(first_frame(run), run.frame_at(from_s)));
 }
 
 /// The frames of another run that are nearest in time; its last one from there on where it ends before.
@@ -65,7 +65,7 @@ void make_body(const FigurePaths& paths, const FigureObject& object, const std::
 void make_objects(const FigurePaths& paths) {
   for (const FigureObject& object : paths.figure.objects) {
     const Results leader(paths.run(object.of.front()));
-    const std::vector<int> frames = frames_of(leader);
+    const std::vector<int> frames = frames_of(leader, object.from_s);
     for (const std::string& name : object.of)
       make_body(paths, object, name, name == object.of.front() ? frames : frames_beside(leader, frames, Results(paths.run(name))));
   }

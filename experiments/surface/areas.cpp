@@ -9,6 +9,7 @@
 #include "experiments/common/order.h"
 #include "experiments/common/study_scene.h"
 #include "experiments/surface/surface.h"
+#include "solver/core/tell.h"
 
 namespace bake::studies {
 
@@ -94,7 +95,7 @@ std::vector<Areas> measure_areas(bool quick) {
         for (const double n : areas.cells) areas.ratios.push_back(area_found(body, form, particles, n) / body.area);
         all.push_back(areas);
       }
-    fmt::print(stderr, "{} is measured\n", body.name);
+    tell_user("{} is measured", body.name);
   }
   return all;
 }

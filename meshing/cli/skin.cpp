@@ -4,9 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <memory>
+#include <optional>
 
 #include "meshing/cli/source.h"
+#include "solver/core/tell.h"
 #include "solver/io/progress.h"
 
 namespace bake::cli {
@@ -15,16 +18,17 @@ namespace {
 struct SkinArguments {
   SourceArguments source;
   std::filesystem::path out;
-  double edge_length_m = 0;  ///< 0: the distance of the scene's particles
+  std::optional<double> edge_length_m;  ///< none: the distance of the scene's particles
 };
 
 void skin(const SkinArguments& arguments) {
   Meter meter("skin");
-  const Source source = find_source(arguments.source, [&](const std::string& line) {
+  const auto say = [&](const std::string& line) {
     meter.clear();
-    fmt::print(stderr, "bake-mesh: {}\n", line);
-  });
-  const double edge = arguments.edge_length_m > 0 ? arguments.edge_length_m : source.particle_spacing_m;
+    tell_user("bake-mesh: {}", line);
+  };
+  const Source source = find_source(arguments.source, say);
+  const double edge = arguments.edge_length_m.value_or(source.particle_spacing_m);
   if (!(edge > 0)) throw InputError("--edge-length is required with a surface: it has no particles");
   const TriangleMesh skin =
       make_skin(*source.solid, source.surface ? &*source.surface : nullptr, edge, [&](const std::string& doing) { meter.phase(doing); });
@@ -32,9 +36,23 @@ void skin(const SkinArguments& arguments) {
   Mesh mesh;
   for (const Point& x : skin.points) mesh.points.insert(mesh.points.end(), x.begin(), x.end());
   for (const Triangle& t : skin.triangles) mesh.cells.insert(mesh.cells.end(), t.begin(), t.end());
+  const double share = enclosed_volume(skin) / body_volume(source);
+  if (!(share >= 0.99))
+    say(fmt::format("the skin encloses {:.1f} % of the body's volume; shorter edges follow its shape better", 100 * share));
   write_mesh(arguments.out, mesh);
   fmt::print("{}: {} vertices, {} triangles, {:.6g} m^2 around {:.6g} m^3\n", arguments.out.string(), skin.points.size(),
              skin.triangles.size(), area(skin), enclosed_volume(skin));
+}
+
+/// A word that CLI11's own range would take for 0, or answer with another range than it has, as nan and 0.
+CLI::Validator edge_length() {
+  const auto check = [](std::string& text) -> std::string {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc() && end == text.data() + text.size() && value >= 1e-9 && value <= 1e6) return {};
+    return fmt::format("found {}, allowed: a length from 1e-9 to 1e6 m", text);
+  };
+  return {check, ""};
 }
 
 }  // namespace
@@ -46,7 +64,7 @@ void add_skin_command(CLI::App& app, Action& action) {
   command.add_option("--out", arguments->out, "file of the mesh, .hdf")->required()->type_name("FILE");
   command.add_option("--edge-length", arguments->edge_length_m, "length of the triangles' edges [the distance of the scene's particles]")
       ->type_name("METRES")
-      ->check(CLI::Range(1e-9, 1e6));
+      ->check(edge_length());
   on_request(command, action, [arguments] { skin(*arguments); });
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "meshing/solid/polygon_soup.h"
+#include "meshing/tets/lattice_mesher.h"
 #include "solver/program/scene_files.h"
 
 namespace bake::cli {
@@ -52,5 +53,7 @@ Source find_source(const SourceArguments& arguments, const Tell& say) {
     throw InputError(fmt::format("{}: body.{}: found particles_file, allowed: a body with a shape", scene.file.string(), arguments.body));
   return {body.shape, std::nullopt, scene.dx() / std::cbrt(body.particles_per_cell)};
 }
+
+double body_volume(const Source& source) { return source.surface ? enclosed_volume(*source.surface) : solid_volume(*source.solid); }
 
 }  // namespace bake::cli

@@ -31,4 +31,7 @@ struct Source {
 /// `say` gets a line for each thing that was mended, or that looks doubtful.
 Source find_source(const SourceArguments& arguments, const Tell& say);
 
+/// [m^3]
+double body_volume(const Source& source);
+
 }  // namespace bake::cli

@@ -12,6 +12,7 @@
 #include "meshing/tets/manifold.h"
 #include "meshing/tets/own_process.h"
 #include "solver/core/errors.h"
+#include "solver/core/tell.h"
 #include "solver/io/progress.h"
 
 namespace bake::cli {
@@ -29,8 +30,6 @@ std::size_t vertices_of(const Source& source, const TetsArguments& arguments) {
   if (source.surface) throw InputError("--vertices is required with a surface: it has no particles per cell");
   return static_cast<std::size_t>(std::llround(solid_volume(*source.solid) / std::pow(source.particle_spacing_m, 3)));
 }
-
-double body_volume(const Source& source) { return source.surface ? enclosed_volume(*source.surface) : solid_volume(*source.solid); }
 
 /// How a mesh compares with what was asked for.
 struct Verdict {
@@ -122,7 +121,7 @@ void tets(const TetsArguments& arguments) {
   const auto tell = [&](const std::string& doing) { meter.phase(doing); };
   const auto say = [&](const std::string& line) {
     meter.clear();
-    fmt::print(stderr, "bake-mesh: {}\n", line);
+    tell_user("bake-mesh: {}", line);
   };
   const Source source = find_source(arguments.source, say);
   const Aim aim{vertices_of(source, arguments), body_volume(source)};

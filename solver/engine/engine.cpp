@@ -79,8 +79,9 @@ double Engine<Real>::next_step(double from, double target, double next_target) {
   if (!(from + limit.dt > from))
     throw RunError(fmt::format("stability asks for a step of {:.3g} s ({}), by which time does not advance, in step {} at t = {:.6g} s",
                                limit.dt, limit.reason, counters_.steps, time_));
-  // more than 1e8 steps to the next frame: no run is meant to take years
-  const double smallest = scene_.time.smallest_step_s > 0 ? scene_.time.smallest_step_s : 1e-8 / scene_.run.frame_rate_per_s;
+  // more than 1e8 steps to the next frame, or the end: no run is meant to take years
+  const double smallest =
+      scene_.time.smallest_step_s > 0 ? scene_.time.smallest_step_s : 1e-8 * std::min(1 / scene_.run.frame_rate_per_s, scene_.run.end_s);
   if (limit.dt < smallest)
     throw RunError(
         fmt::format("stability asks for a step of {:.3g} s ({}), below time.smallest_step_s = {:.3g} s, in step {} at t = {:.6g} s",

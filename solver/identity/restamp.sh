@@ -13,6 +13,10 @@ tree=$work/tree
 say() { printf 'bake: %s\n' "$*" >&2; }
 die() { say "${@:2}"; exit "$1"; }
 
+if [[ ${2:-} == --help || ${2:-} == -h ]]; then
+  printf 'Let kept data of a commit count as the present solver'"'"'s, if the machine code of both is the same\nUsage: ./bake restamp <commit>\n'
+  exit 0
+fi
 (($# == 2)) || die 2 "usage: ./bake restamp <commit>"
 commit=$(git -C "$root" rev-parse --verify --quiet --end-of-options "$2^{commit}") ||
   die 2 "restamp: found $2, allowed: a commit of this repository"

@@ -38,6 +38,11 @@ bool flush_folder(const std::filesystem::path& folder) {
 }  // namespace
 
 AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)), aside_(target_.string() + ".part") {
+  std::error_code unknown;  // then it is told below
+  const auto there = std::filesystem::status(target_, unknown).type();
+  using std::filesystem::file_type;
+  if (there == file_type::character || there == file_type::block || there == file_type::fifo || there == file_type::socket)
+    throw OutputError(fmt::format("{}: found a device or a pipe, allowed: a file", target_.string()));
   descriptor_ = ::open(aside_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor_ < 0) throw output_error(target_, "cannot create", errno);
 }

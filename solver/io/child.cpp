@@ -10,6 +10,8 @@
 #include <chrono>
 #include <thread>
 
+#include "solver/io/processors.h"
+
 namespace bake {
 namespace {
 
@@ -41,7 +43,11 @@ ChildEnd run_child(std::vector<std::string> words, const std::filesystem::path& 
   pointers.push_back(nullptr);
   const FileActions actions(log);
   pid_t child = 0;
-  if (const int error = posix_spawnp(&child, pointers[0], actions.get(), nullptr, pointers.data(), environ); error != 0) return {error, 0};
+  {
+    const Unbound unbound;
+    if (const int error = posix_spawnp(&child, pointers[0], actions.get(), nullptr, pointers.data(), environ); error != 0)
+      return {error, 0};
+  }
   constexpr int k_between_ms = 10;
   int status = 0, waited_ms = 0;
   for (;;) {

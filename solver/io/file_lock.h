@@ -18,7 +18,11 @@ class FileLock {
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
 
+  /// Whether the file that was locked still stands in its place: false once somebody has removed or moved it, or its folder.
+  bool stands() const;
+
  private:
+  std::filesystem::path file_;
   int descriptor_;
 };
 

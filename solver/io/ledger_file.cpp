@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "solver/core/errors.h"
+#include "solver/core/tell.h"
 #include "solver/io/atomic_file.h"
 
 namespace bake {
@@ -78,8 +79,7 @@ Ledger read_ledger(const std::filesystem::path& path) {
   for (const std::string& name : named) ledger.columns.push_back(present_column(name));
   const auto [old, present] = std::mismatch(named.begin(), named.end(), ledger.columns.begin());
   if (old != named.end())
-    fmt::print(stderr, "bake: {}: {} and other columns have other names now ({}); the old ones are read until 1.0\n", path.string(), *old,
-               *present);
+    tell_user("bake: {}: {} and other columns have other names now ({}); the old ones are read until 1.0", path.string(), *old, *present);
   while (next_line(in, line)) {
     const auto place = fmt::format("{}:{}", path.string(), ledger.rows.size() + 2);
     const auto words = split(line);

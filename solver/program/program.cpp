@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "solver/core/errors.h"
+#include "solver/core/tell.h"
 #include "solver/io/atomic_file.h"
 #include "solver/program/waiting.h"
 #include "solver/scene/nearest.h"
@@ -31,7 +32,7 @@ constexpr const char* k_not_printed = "cannot write to the standard output";
 
 int fail(const CLI::App& app, ExitCode code, std::string message) {
   std::replace(message.begin(), message.end(), '\n', ' ');
-  fmt::print(stderr, "{}: {}\n", app.get_name(), message);
+  tell_user("{}: {}", app.get_name(), message);
   return code;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <tuple>
 
+#include "solver/core/tell.h"
 #include "solver/scene/nearest.h"
 
 namespace bake::cli {
@@ -85,7 +86,7 @@ std::filesystem::path find_scene(const std::string& name_or_path) {
 Scene open_scene(const std::string& name_or_path, const ReadOptions& options, bool quiet) {
   Scene scene = read_scene(find_scene(name_or_path), options);
   for (const std::string& notice : scene.notices)
-    if (!quiet) fmt::print(stderr, "bake: {}\n", notice);
+    if (!quiet) tell_user("bake: {}", notice);
   return scene;
 }
 

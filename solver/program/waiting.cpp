@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "solver/io/processors.h"
+
 namespace bake {
 
 void let_waiting_threads_sleep(char** words) {
@@ -16,6 +18,7 @@ void let_waiting_threads_sleep(char** words) {
   std::error_code unknown;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", unknown);
   if (unknown || ::setenv("GOMP_SPINCOUNT", k_spins, 1) != 0) return;
+  const Unbound unbound;
   ::execv(program.c_str(), words);
 }
 

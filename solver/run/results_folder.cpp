@@ -132,23 +132,27 @@ void ResultsFolder::refuse_what_no_run_made() const {
   }
 }
 
-void ResultsFolder::refuse_to_replace(const Scene& scene, Replace replace) const {
+void ResultsFolder::refuse_to_replace(const Scene& scene, double end_s, Replace replace) const {
   const json run = read_run(description());
   if (run.is_null() || replace == Replace::any_run || !(is_done() || has_checkpoint())) return;
   const std::string file = fs::path(text_at(run, "/scene/file")).filename().string();
   const bool same_file = file == scene.file.filename().string();
   if (same_file && replace == Replace::same_file) return;
-  const std::string other = difference(scene);
+  std::string other = difference(scene);
+  const json::json_pointer last("/summary/time_s");
+  if (const double reached = run.contains(last) && run[last].is_number() ? run[last].get<double>() : 0;
+      other.empty() && is_done() && end_s < (1 - 1e-9) * reached)
+    other = fmt::format("its end: found {:g} s, there {:g} s", end_s, reached);
   if (other.empty()) return;
   throw InputError(fmt::format("{}: here are the results of {} ({}), allowed: another --out, or bake run --overwrite", folder_.string(),
                                same_file ? "other values of the scene" : file, other));
 }
 
-void ResultsFolder::take(const Scene& scene, Replace replace) {
+void ResultsFolder::take(const Scene& scene, double end_s, Replace replace) {
   if (!is_marked()) refuse_what_no_run_made();
   make_folder(folder_);
   lock_.emplace(mark());
-  refuse_to_replace(scene, replace);
+  refuse_to_replace(scene, end_s, replace);
 }
 
 void ResultsFolder::take_to_resume() { lock_.emplace(mark()); }
@@ -170,7 +174,7 @@ void ResultsFolder::remove_frames_behind(int last) const {
   remove_frames_from(skins(), last + 1);
 }
 
-void ResultsFolder::expect_there(const FrameTimes& times, int last) const {
+void ResultsFolder::expect_whole(const FrameTimes& times, int last) const {
   const Ledger ledger = read_ledger(this->ledger());
   const auto same = [&](double time, int frame) { return std::abs(time - times(frame)) <= 1e-6 * times(1); };
   for (int f = 0; f <= last; ++f) {
@@ -181,17 +185,16 @@ void ResultsFolder::expect_there(const FrameTimes& times, int last) const {
     if (const double time = ledger.rows[row].front(); !same(time, f))
       throw InputError(fmt::format("{}:{}: found the time {:g} s, allowed: {:g} s, that of frame {}", this->ledger().string(), row + 2,
                                    time, times(f), f));
+    for (std::size_t c = 0; c < ledger.columns.size(); ++c)
+      if (!std::isfinite(ledger.rows[row][c]))
+        throw InputError(fmt::format("{}:{}: found {} for {}, allowed: a number", this->ledger().string(), row + 2, ledger.rows[row][c],
+                                     ledger.columns[c]));
     std::error_code ignored;
     if (!fs::is_regular_file(frame(f), ignored))
       throw InputError(fmt::format("{}: is missing, allowed: all of the frames 0 to {}", frame(f).string(), last));
-  }
-}
-
-void ResultsFolder::expect_whole(const FrameTimes& times, int last) const {
-  expect_there(times, last);
-  for (int f = 0; f <= last; ++f)
-    if (const double time = FrameReader(frame(f)).time_s(); !(std::abs(time - times(f)) <= 1e-6 * times(1)))
+    if (const double time = FrameReader(frame(f)).time_s(); !same(time, f))
       throw InputError(fmt::format("{}: found the time {:g} s, allowed: {:g} s", frame(f).string(), time, times(f)));
+  }
 }
 
 }  // namespace bake

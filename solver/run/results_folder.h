@@ -37,8 +37,9 @@ class ResultsFolder {
   std::string difference(const Scene& scene) const;
 
   /// Makes the folder, marks it as one that runs write into, and keeps other runs out as long as this object lives. Throws InputError if
-  /// another process writes here, if something stands in the way that no run has made, or if here are results which `replace` protects.
-  void take(const Scene& scene, Replace replace);
+  /// another process writes here, if something stands in the way that no run has made, or if here are results which `replace` protects: of
+  /// other values, or of a run that was done later than `end_s` [s].
+  void take(const Scene& scene, double end_s, Replace replace);
   /// Removes what former runs have written, and nothing else; then frames can be written.
   void clear() const;
   /// Makes the folder of the skins' meshes, for scenes that have some.
@@ -48,16 +49,17 @@ class ResultsFolder {
   /// Removes frames behind this one.
   void remove_frames_behind(int last) const;
 
-  /// Throws InputError unless frames 0 to `last` are whole and the ledger has their rows.
+  /// Whether the folder is still the one that was taken, and nobody has removed or moved it.
+  bool is_own() const { return lock_ && lock_->stands(); }
+
+  /// Throws InputError unless frames 0 to `last` are whole and the ledger has their rows, of numbers.
   void expect_whole(const FrameTimes& times, int last) const;
-  /// The same without a look into the frames, for a run that has just written them.
-  void expect_there(const FrameTimes& times, int last) const;
 
  private:
   std::filesystem::path mark() const { return folder_ / ".bake-run"; }
   bool is_marked() const;
   void refuse_what_no_run_made() const;
-  void refuse_to_replace(const Scene& scene, Replace replace) const;
+  void refuse_to_replace(const Scene& scene, double end_s, Replace replace) const;
 
   std::filesystem::path folder_;
   std::optional<FileLock> lock_;

@@ -14,6 +14,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "solver/core/tell.h"
 #include "solver/io/background_writer.h"
 #include "solver/io/checkpoint.h"
 #include "solver/io/ledger_file.h"
@@ -186,9 +187,9 @@ class Run {
 
 void Run::begin() {
   simulation_ = Simulation::begin(scene_, times_(1));  // before anything is written, so that a bad scene leaves old results untouched
-  results_.take(scene_, options_.replace);
+  results_.take(scene_, times_.end_s(), options_.replace);
   if (options_.resume && !options_.quiet)
-    fmt::print(stderr, "bake: {}: found no checkpoint, so the run begins at its start\n", results_.path().string());
+    tell_user("bake: {}: found no checkpoint, so the run begins at its start", results_.path().string());
   results_.clear();
   first_ = last_ = ledger_row(*simulation_);
   began_ = steady_seconds();
@@ -197,6 +198,9 @@ void Run::begin() {
     ledger_.emplace(LedgerFile::create(results_.ledger(), ledger_columns(scene_)));
     if (!scene_.skins.empty()) results_.make_skins();
     save_frame(0, simulation_->shown_frame(), first_);
+  } catch (const OutputError& error) {
+    fail();
+    throw RunError(error.what());
   } catch (...) {
     fail();
     throw;
@@ -261,6 +265,8 @@ void Run::save_series(int frame) const {
 
 /// Writes what a frame leaves; the ledger comes last, so that its rows are those of whole frames.
 void Run::save_frame(int frame, const ShownFrame& shown, const std::vector<double>& row) {
+  if (!results_.is_own())
+    throw RunError(fmt::format("{}: was removed or moved while the run went on, frame {} is not written", results_.path().string(), frame));
   try {
     write_frame(results_.frame(frame), shown.particles);
     if (shown.skin) write_mesh(results_.skin(frame), *shown.skin);
@@ -301,10 +307,10 @@ bool Run::advance() {
   });
 }
 
-/// A run is not done if somebody has removed what it wrote.
+/// A run is not done if somebody has removed or damaged what it wrote.
 void Run::expect_results() const {
   try {
-    results_.expect_there(times_, frame_);
+    results_.expect_whole(times_, frame_);
   } catch (const InputError& error) {
     throw RunError(fmt::format("{}; it was changed while the run went on", error.what()));
   }
@@ -322,7 +328,7 @@ void Run::fail() noexcept {
   } catch (...) {  // what made it fail is told already
   }
   try {
-    save_description("failed");
+    if (results_.is_own()) save_description("failed");
   } catch (...) {
   }
 }

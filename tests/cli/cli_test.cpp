@@ -44,6 +44,12 @@ TEST(CommandLine, WaitingThreadsSleepSoonUnlessTheUserSaysOtherwise) {
 }
 #endif
 
+TEST(CommandLine, WhatCannotBeToldStillEndsWithItsExitCode) {
+  const Workplace place;
+  for (const char* lost : {"2>&-", "2>/dev/full", "2>&- >&- <&-"})
+    EXPECT_EQ(place.bake(std::string("run nowhere ") + lost).exit_code, 2) << lost;
+}
+
 TEST(CommandLine, UnknownScenesAreRefusedWithTheNearestName) {
   const Workplace place;
   for (const std::string command : {"run", "info", "validate"}) {

@@ -156,6 +156,8 @@ TEST_F(AFigure, PassesOnWhatTheOtherProgramsSay) {
   program("bake-render", "echo 'bake-render: side.toml:3: camera: missing' >&2; exit 2");
   expect_refused(place, "figure 1 --quiet", "bake: bake-render: side.toml:3: camera: missing\n");
   program("bake-render", "[ $1 = jpeg ] || echo \"$@\" >arguments; echo png >results/items/dough-draft/side.png");
+  for (const char* size : {"10", "8x48", "64x99999", "64*48", "x"})
+    expect_refused(place, fmt::format("figure 1 --quiet --size {}", size), fmt::format("found {}, allowed: WIDTHxHEIGHT", size));
   EXPECT_EQ(place.bake("figure 1 --quiet --size 64x48 --samples 2 --threads 1").exit_code, 0);
   EXPECT_EQ(contents(place.folder() / "arguments"),
             fmt::format("picture {}/experiments/fig01_dough/views/side.toml results/soft-draft/frames/0001.hdf "
@@ -166,6 +168,20 @@ TEST_F(AFigure, PassesOnWhatTheOtherProgramsSay) {
   fs::remove(place.folder() / "arguments");
   EXPECT_EQ(place.bake("figure 1 --quiet --size 64x48 --samples 2 --threads 2").exit_code, 0);
   EXPECT_FALSE(fs::exists(place.folder() / "arguments")) << "it was there: threads change no picture";
+}
+
+TEST_F(AFigure, ShowsItsBodiesFromTheirTimeOn) {
+  place.move_program_here();
+  place.write("experiments/fig01_dough/views/side.toml", "");
+  const std::string picture = "[[picture]]\nname = \"side\"\nshows = \"dough\"\nview = \"side\"\nof = \"soft\"\n";
+  const std::string object = "[[object]]\nname = \"turning\"\nshows = \"it\"\nview = \"side\"\npicture = \"side\"\nof = \"soft\"\n";
+  program("bake-render", R"(if [ $1 = model ]; then echo "$@" >arguments; mkdir -p results/items/dough-draft/turning/soft
+else echo png >results/items/dough-draft/side.png; fi)");
+  for (const auto& [from, frames] : {std::pair{"", " --frames 0,1,2 "}, {"from_s = 0.005\n", " --frames 1,2 "}}) {
+    figure(picture + object + from);
+    ASSERT_EQ(place.bake("figure 1 --quiet").exit_code, 0);
+    EXPECT_NE(contents(place.folder() / "arguments").find(frames), std::string::npos) << contents(place.folder() / "arguments");
+  }
 }
 
 TEST_F(AFigure, RunsItsParticlesFromAMeshAndMeasuresItsFractureSurface) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // bake-mesh as a user calls it, where it is built.
 #ifdef BAKE_MESH_PROGRAM
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/cli/program.h"
@@ -42,6 +43,9 @@ TEST_F(AMesh, WithAMistakeIsOneLineAndExitTwo) {
   expect_refused(place, "tets hello.stl --vertices 100 --out x.hdf", "hello.stl: is no STL file");
   expect_refused(place, "tets body.vtk --out x.hdf", "body.vtk: found .vtk, allowed: a scene (.toml), or .stl, .obj, .ply, .off");
   expect_refused(place, "skin dough --edge-length 1 --out x.hdf", "are too long for this body");
+  for (const char* length : {"0", "nan", "-1", "1e7", "1x"})
+    expect_refused(place, fmt::format("skin dough --edge-length {} --out x.hdf", length),
+                   fmt::format("found {}, allowed: a length from 1e-9 to 1e6 m", length));
   expect_refused(place, "fracture x.hdf run --out y", "x.hdf: cannot open");
   EXPECT_FALSE(std::filesystem::exists(place.folder() / "x.hdf"));
 }

@@ -116,7 +116,7 @@ TEST(Run, ResumedGivesTheSameBitsAlsoIfItEndsBetweenTwoFrames) {
   const std::string run = "run dough --quiet --set run.end_s=0.0212 --out ";
   ASSERT_EQ(place.bake(run + "whole").exit_code, 0);
   for (const std::string frames : {"3", "4"}) {  // the fourth is the last whole one: the end shortens the step behind it
-    ASSERT_EQ(place.bake(run + "parts --frames " + frames).exit_code, 0);
+    ASSERT_EQ(place.bake(run + "parts --overwrite --frames " + frames).exit_code, 0);
     ASSERT_EQ(place.bake(run + "parts --resume").exit_code, 0);
     expect_same_results(place, "whole", "parts", 5);
   }
@@ -162,7 +162,7 @@ TEST(Run, TouchesNothingThatNoRunHasMade) {
   place.write("c/notes.txt", "mine");
   ASSERT_EQ(place.bake("run dough --quiet --frames 2 --out c").exit_code, 0);
   place.write("c/frames/mine.txt", "mine, too");
-  ASSERT_EQ(place.bake("run dough --quiet --frames 1 --out c").exit_code, 0);
+  ASSERT_EQ(place.bake("run dough --quiet --frames 1 --out c --overwrite").exit_code, 0);
   EXPECT_EQ(contents(place.folder() / "c/notes.txt"), "mine");
   EXPECT_EQ(contents(place.folder() / "c/frames/mine.txt"), "mine, too");
   EXPECT_FALSE(fs::exists(place.folder() / "c/frames/0002.hdf")) << "of the run before";
@@ -177,7 +177,10 @@ TEST(Run, ReplacesResultsOfSomethingElseOnlyIfAskedTo) {
                  "a: here are the results of dough.toml (grid.dx_m: found 0.02");
   expect_refused(place, "run dough --quiet --out a --set grid.dx_m=0.02", "other values of the scene (grid.dx_m: found 0.02, there 0.01)");
   EXPECT_EQ(contents(place.folder() / "a/checkpoint.h5"), kept);
-  EXPECT_EQ(place.bake("run dough --quiet --out a --frames 1").exit_code, 0) << "the same scene";
+  expect_refused(place, "run dough --quiet --out a --frames 1", "other values of the scene (its end: found ");
+  EXPECT_EQ(contents(place.folder() / "a/checkpoint.h5"), kept);
+  EXPECT_EQ(place.bake("run dough --quiet --out a").exit_code, 0) << "the same scene";
+  EXPECT_EQ(place.bake("run dough --quiet --out a --frames 1 --overwrite").exit_code, 0);
   EXPECT_EQ(place.bake("run dough --quiet --out a --set grid.dx_m=0.02 --overwrite").exit_code, 0);
   EXPECT_EQ(place.bake("run dough --quiet").exit_code, 0);
   EXPECT_EQ(place.bake("run dough --quiet --set grid.dx_m=0.02").exit_code, 0) << "the folder is named by the scene";
@@ -213,6 +216,8 @@ TEST(Run, ResumesOnlyFromWholeResults) {
   refused("a/ledger.csv: found 2 rows", with_ledger(ledger.substr(0, third)));
   refused("a/ledger.csv:3: found the time 0.01 s, allowed: 0.005 s", with_ledger(ledger.substr(0, second) + ledger.substr(third)));
   refused("a/ledger.csv:3: found the time nan s", with_ledger(ledger.substr(0, second) + "nan" + ledger.substr(ledger.find(',', second))));
+  const std::size_t last_comma = ledger.rfind(',', third - 2) + 1;
+  refused("a/ledger.csv:3: found nan for ", with_ledger(ledger.substr(0, last_comma) + "nan" + ledger.substr(third - 1)));
   refused("a/ledger.csv", [&] { fs::remove(place.folder() / "a/ledger.csv"); });
   refused("a/frames/0002.hdf: is missing", [&] { fs::remove(place.folder() / "a/frames/0002.hdf"); });
   refused("a/frames/0002.hdf", [&] { fs::resize_file(place.folder() / "a/frames/0002.hdf", 100); });
@@ -235,18 +240,24 @@ TEST(Run, ThatIsResumedMakesAnewWhatStandsBehindTheCheckpoint) {
   EXPECT_FALSE(fs::exists(place.folder() / "a/frames/0007.hdf"));
 }
 
-TEST(Run, NoticesThatItsFilesAreRemovedMeanwhile) {
+TEST(Run, NoticesThatItsFilesAreRemovedOrDamagedMeanwhile) {
   const Workplace place;
-  const auto removing = [](const std::string& folder, const std::string& file) {
+  const auto meanwhile = [](const std::string& folder, const std::string& done) {
     return fmt::format(
         "{} --out {} & run=$!; while [ \"$(cat {}/ledger.csv 2>/dev/null | wc -l)\" -lt 4 ]; do sleep 0.01; done; "
-        "rm {}/{}; wait $run",
-        k_long, folder, folder, folder, file);
+        "{}; wait $run",
+        k_long, folder, folder, done);
   };
-  expect_refused(place, removing("a", "ledger.csv"), "a/ledger.csv: cannot append: the file was removed", "", 3);
+  expect_refused(place, meanwhile("a", "rm a/ledger.csv"), "a/ledger.csv: cannot append: the file was removed", "", 3);
   EXPECT_EQ(state_of(place, "a"), "failed");
-  expect_refused(place, removing("b", "frames/0001.hdf"), "b/frames/0001.hdf: is missing", "", 3);
+  expect_refused(place, meanwhile("b", "rm b/frames/0001.hdf"), "b/frames/0001.hdf: is missing", "", 3);
   EXPECT_EQ(state_of(place, "b"), "failed");
+  expect_refused(place, meanwhile("c", ": > c/frames/0001.hdf"), "c/frames/0001.hdf: ", "", 3);
+  EXPECT_EQ(state_of(place, "c"), "failed");
+  place.write("other/run.json", "of somebody else");
+  expect_refused(place, meanwhile("d", "mv d gone; mv other d"), "bake: ", "", 3);
+  EXPECT_EQ(contents(place.folder() / "d/run.json"), "of somebody else");
+  EXPECT_FALSE(fs::exists(place.folder() / "d/frames"));
 }
 
 TEST(Run, SaysHowManyThreadsRan) {
@@ -255,6 +266,23 @@ TEST(Run, SaysHowManyThreadsRan) {
   EXPECT_EQ(nlohmann::json::parse(contents(place.folder() / "a/run.json"))["provenance"]["threads"], 1);
   ASSERT_EQ(place.bake("run dough --quiet --threads 2 --out a").exit_code, 0);
   EXPECT_EQ(nlohmann::json::parse(contents(place.folder() / "a/run.json"))["provenance"]["threads"], 2);
+}
+
+#ifndef __clang__  // whose OpenMP library binds the first thread later
+TEST(Run, UsesAllProcessorsWhereThreadsAreBoundToThem) {
+  const Workplace place;
+  const auto threads = [&](const std::string& environment) {
+    EXPECT_EQ(place.bake("run dough --quiet --frames 1 --out a", "env -u OMP_NUM_THREADS " + environment).exit_code, 0);
+    return nlohmann::json::parse(contents(place.folder() / "a/run.json"))["provenance"]["threads"].get<int>();
+  };
+  const int unbound = threads("");
+  for (const char* bound : {"OMP_PROC_BIND=true", "OMP_PROC_BIND=close OMP_PLACES=cores"}) EXPECT_EQ(threads(bound), unbound) << bound;
+}
+#endif
+
+TEST(Run, ThatEndsLongBeforeItsSecondFrameTakesTheStepsThatItNeeds) {
+  const Workplace place;
+  EXPECT_EQ(place.bake("run dough --quiet --end 0.001 --set run.frame_rate_per_s=1e-9").exit_code, 0);
 }
 
 TEST(Run, ACheckpointOfAnotherSceneIsRefusedAndTheKeyNamed) {
@@ -282,7 +310,7 @@ TEST(Run, AFolderThatCannotBeWrittenIsRefused) {
 TEST(Run, AFullDiskLeavesNothingHalfWritten) {
   const Workplace place;
   // the kernel refuses to let files grow beyond 4 kB, as a full disk would; the signal that comes with it is ignored
-  expect_refused(place, "run dough --quiet --out a", "a/", "trap '' XFSZ; ulimit -f 4;");
+  expect_refused(place, "run dough --quiet --out a", "a/", "trap '' XFSZ; ulimit -f 4;", 3);
   EXPECT_FALSE(half_written_files(place.folder() / "a"));
 }
 

@@ -77,6 +77,16 @@ TEST_F(RenderProgram, MakesModelsAndJpegsForAPage) {
     EXPECT_EQ(x[3 * (i + once.particles()) + 2], -x[3 * i + 2]);
   }
 
+  put(folder / "turned.toml", "[[object]]\nmirrored = \"z\"\nrotate_deg = [0, 90, 0]\n");
+  ASSERT_EQ(call("model turned.toml fine --frames 2 --out turned --triangles 3000 --particles 1000000"), 0) << contents(folder / ".err");
+  const std::vector<double> y = FrameReader(folder / "turned/particles_0002.hdf").positions();
+  ASSERT_EQ(y.size(), x.size());
+  for (std::size_t i = 0; i < y.size(); i += 3) {  // x goes to -z, z to x
+    EXPECT_NEAR(y[i], x[i + 2], 1e-7);
+    EXPECT_NEAR(y[i + 1], x[i + 1], 1e-7);
+    EXPECT_NEAR(y[i + 2], -x[i], 1e-7);
+  }
+
   ASSERT_EQ(call("picture view.toml run/frames/0002.hdf --out a.png --size 64x48"), 0) << contents(folder / ".err");
   ASSERT_EQ(call("jpeg a.png --out a.jpg --width 32"), 0) << contents(folder / ".err");
   EXPECT_EQ(contents(folder / "a.jpg").substr(0, 3), "\xff\xd8\xff");

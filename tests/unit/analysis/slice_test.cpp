@@ -76,6 +76,12 @@ TEST_F(Slices, ShowTheFieldInside) {
   EXPECT_EQ(image.at(160, 130), pixel(map_colour(ColourMap::viridis, 0)));
 }
 
+TEST_F(Slices, AreDrawnWithWhatIsAskedForUpwards) {
+  const Image image = take("[slice]\nup = [0, 0.5, -1]\n[[panel]]\nfield = \"temperature\"\nrange_low = 20\nrange_high = 100\n");
+  EXPECT_EQ(image.at(240, 130), pixel(map_colour(ColourMap::viridis, 0))) << "upside down, the right is on the left";
+  EXPECT_EQ(image.at(160, 130), pixel(map_colour(ColourMap::viridis, 1)));
+}
+
 TEST_F(Slices, StandSideBySide) {
   EXPECT_NO_THROW(take("[[panel]]\nfield = \"temperature\"\n[[panel]]\nfield = \"water_mass\"\nmap = \"cividis\"\n", 2));
   EXPECT_NO_THROW(take("[slice]\ncut = false\nedges = true\n[[panel]]\nfield = \"temperature\"\n", 2));
@@ -87,6 +93,8 @@ TEST_F(Slices, WhatCannotBeShownIsRefusedInOneLine) {
   EXPECT_TRUE(has(refusal("[[panel]]"), "panel.0.field: missing"));
   EXPECT_TRUE(has(refusal("[slice]\npoint_m = [0, 3, 0]\n[[panel]]\nfield = \"temperature\""), "the plane does not meet"));
   EXPECT_TRUE(has(refusal("[slice]\nnormal = [0, 0, 0]\n[[panel]]\nfield = \"temperature\""), "slice.normal: found no direction"));
+  EXPECT_TRUE(
+      has(refusal("[slice]\nup = [0, 2, 0]\n[[panel]]\nfield = \"temperature\""), "slice.up: found no direction across the normal"));
 }
 
 TEST(Montage, PutsPicturesSideBySide) {

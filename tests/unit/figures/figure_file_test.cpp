@@ -120,6 +120,7 @@ TEST_F(FigureFile, HasObjectsOfRunsWithAPictureThatStandsForThem) {
   ASSERT_EQ(figure.objects.size(), 1u);
   EXPECT_EQ(figure.objects[0].of, (std::vector<std::string>{"slit", "plain"}));
   EXPECT_FALSE(figure.objects[0].particles);
+  EXPECT_EQ(figure.objects[0].from_s, 0);
   EXPECT_THROW(read(with("view = \"side\"\npicture = \"none\"\nof = \"slit\"\n").c_str()), InputError);
   EXPECT_THROW(read(with("view = \"none\"\npicture = \"both\"\nof = \"slit\"\n").c_str()), InputError);
   EXPECT_THROW(read(with("view = \"side\"\npicture = \"both\"\nof = \"torn\"\n").c_str()), InputError) << "a surface is no run";

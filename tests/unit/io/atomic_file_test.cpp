@@ -2,6 +2,7 @@
 #include "solver/io/atomic_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "tests/unit/io/files.h"
 
@@ -21,6 +22,15 @@ TEST(AtomicFile, ReplacesAnOlderLongerFile) {
   put(scratch / "note.txt", "a long text from yesterday");
   write_text_atomically(scratch / "note.txt", "new");
   EXPECT_EQ(contents(scratch / "note.txt"), "new");
+}
+
+TEST(AtomicFile, DoesNotPutAFileInPlaceOfAPipe) {
+  const TemporaryFolder scratch;
+  ASSERT_EQ(::mkfifo((scratch / "pipe").c_str(), 0600), 0);
+  const std::string message = message_of<OutputError>([&] { AtomicFile(scratch / "pipe"); });
+  EXPECT_TRUE(has(message, "pipe: found a device or a pipe, allowed: a file")) << message;
+  EXPECT_TRUE(std::filesystem::is_fifo(scratch / "pipe"));
+  EXPECT_EQ(files_in(scratch.path()), 1u);
 }
 
 TEST(AtomicFile, LeavesTheOldFileAloneUntilItIsCommitted) {

@@ -28,6 +28,16 @@ TEST(FileLock, KeepsOthersOutAndNamesItsProcess) {
   EXPECT_TRUE(has(message, "a run of process " + std::to_string(::getpid()) + " writes here")) << message;
 }
 
+TEST(FileLock, StandsUntilItsFileIsRemovedOrReplaced) {
+  const TemporaryFolder folder;
+  const FileLock lock(folder / "mark");
+  EXPECT_TRUE(lock.stands());
+  std::filesystem::rename(folder / "mark", folder / "moved");
+  EXPECT_FALSE(lock.stands());
+  put(folder / "mark", "of another run");
+  EXPECT_FALSE(lock.stands());
+}
+
 TEST(FileLock, IsGoneWithItsObject) {
   const TemporaryFolder folder;
   { const FileLock lock(folder / "mark"); }

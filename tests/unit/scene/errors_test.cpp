@@ -229,6 +229,18 @@ TEST(SceneError, KeyframesMustRiseInTime) {
             "bread.toml:11: grip.0.motion.0.time_s: missing, allowed: any finite number");
 }
 
+TEST(SceneError, ScenesSoFarAwayThatPositionsAreRoundedAreRefused) {
+  const auto at = [](const char* low, const char* high) {
+    return fmt::format("effects = [\"motion\"]\n[run]\nend_s = 1\n[grid]\ndx_m = 0.001\n[domain]\nmin_m = [{}, 0, 0]\nmax_m = [{}, 1, 1]\n",
+                       low, high);
+  };
+  EXPECT_NE(error_of(at("1e10", "10000000001.0"))
+                .find("bread.toml:8: domain.max_m: found x from 1e+10 to 1e+10 m in cells of 0.001 m, allowed: up to 4.5e+08 m"),
+            std::string::npos)
+      << error_of(at("1e10", "10000000001.0"));
+  EXPECT_EQ(error_of(at("1e8", "100000001.0")).find("move the scene"), std::string::npos);
+}
+
 TEST(SceneError, AHotColliderCovers) {
   EXPECT_EQ(
       error_of(k_least + "[[collider]]\n" + k_ball + "temperature_C = 180\nheat_transfer_coefficient_W_per_m2K = 10\ncovers = false\n"),
