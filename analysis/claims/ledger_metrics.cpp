@@ -69,17 +69,29 @@ double steady(const Results& run, const char* key) {
   return value.get<double>();
 }
 
+/// Is there one in a list of the scene with a temperature or a flux of its own?
+bool gives_heat(const Results& run, const char* list) {
+  const auto& scene = run.description().at("scene");
+  if (!scene.contains(list)) return false;
+  return std::any_of(scene.at(list).begin(), scene.at(list).end(), [](const auto& one) {
+    return (one.contains("temperature_C") && !one.at("temperature_C").is_null()) ||
+           (one.contains("heat_flux_W_per_m2") && !one.at("heat_flux_W_per_m2").is_null());
+  });
+}
+
 /// Of the whole surface: theta_out - q / beta, q being the heat that came in between the frames around, over area and time. Particles and
 /// nodes lie deeper, which makes some 10 K in a loaf; this is the temperature that the layer above them is solved with.
 double surface_temperature(const Results& run, const MetricPlace& at) {
   run.expect_change();
+  for (const char* list : {"collider", "grip", "face"})
+    if (gives_heat(run, list))
+      throw InputError(
+          fmt::format("{}: scene.{}: found one that gives heat, allowed: heat from the air alone", run.folder().string(), list));
   const std::vector<double> times = run.column("time_s"), heat = run.column("heat_exchanged_J");
   const auto frame = static_cast<std::size_t>(run.frame_at(at.time_s)), before = frame > 0 ? frame - 1 : 0,
              after = std::min(frame + 1, times.size() - 1);
   const double exposed = (times[after] - times[before]) * run.at("surface_m2", frame);
   const double beta = steady(run, "heat_transfer_coefficient_W_per_m2K");
-  if (run.at("contact_surface_m2", frame) > 0)
-    throw NoNumber(fmt::format("{}: found a surface that touches hot solids, allowed: air alone", run.folder().string()));
   return exposed * beta > 0 ? steady(run, "temperature_C") - (heat[after] - heat[before]) / (exposed * beta) : std::nan("");
 }
 

@@ -59,19 +59,18 @@ TEST_F(FrameMetrics, TellHowMuchHotterTheSurfaceIs) {
 
 class SurfaceTemperature : public WrittenRun {
  protected:
-  explicit SurfaceTemperature(const std::string& oven = "190", double contact = 0)
-      : WrittenRun(
-            R"({"summary": {"state": "done"}, "scene": {"oven": {"heat_transfer_coefficient_W_per_m2K": 10, "temperature_C": )" + oven +
-                "}}}",
-            "time_s,surface_m2,contact_surface_m2,heat_exchanged_J\n0,2,0,0\n2,2,0,4000\n6,4," + std::to_string(contact) + ",12000\n") {}
+  explicit SurfaceTemperature(const std::string& oven = "190", const std::string& collider = "null")
+      : WrittenRun(R"({"summary": {"state": "done"}, "scene": {"oven": {"heat_transfer_coefficient_W_per_m2K": 10, "temperature_C": )" +
+                       oven + R"(}, "collider": [{"temperature_C": )" + collider + "}]}}",
+                   "time_s,surface_m2,heat_exchanged_J\n0,2,0\n2,2,4000\n6,4,12000\n") {}
 };
 class SurfaceTemperatureInAnOvenThatWarms : public SurfaceTemperature {
  protected:
   SurfaceTemperatureInAnOvenThatWarms() : SurfaceTemperature("[[0, 20], [1, 190]]") {}
 };
-class SurfaceTemperatureOnATray : public SurfaceTemperature {
+class SurfaceTemperatureOnAHotTray : public SurfaceTemperature {
  protected:
-  SurfaceTemperatureOnATray() : SurfaceTemperature("190", 0.1) {}
+  SurfaceTemperatureOnAHotTray() : SurfaceTemperature("190", "180") {}
 };
 
 TEST_F(SurfaceTemperature, IsWhatTheHeatThatCameInAsksFor) {
@@ -80,10 +79,7 @@ TEST_F(SurfaceTemperature, IsWhatTheHeatThatCameInAsksFor) {
   EXPECT_DOUBLE_EQ(measure("surface_temperature", {}), 190 - 8000. / (10 * 4 * 4));
 }
 TEST_F(SurfaceTemperatureInAnOvenThatWarms, IsRefused) { EXPECT_THROW(measure("surface_temperature", {}), InputError); }
-TEST_F(SurfaceTemperatureOnATray, IsNoNumberWhereItTouchesTheTray) {
-  EXPECT_NO_THROW(measure("surface_temperature", {.time_s = 2}));
-  EXPECT_THROW(measure("surface_temperature", {}), InputError);
-}
+TEST_F(SurfaceTemperatureOnAHotTray, IsRefused) { EXPECT_THROW(measure("surface_temperature", {}), InputError); }
 
 TEST_F(FrameMetrics, FollowTheWaterOfAParticle) {
   frame(0, {{1, {0, 0, 0}, 20, 20, 1, 4}, {2, {1, 0, 0}, 20, 20, 1, 2}, {3, {2, 0, 0}, 20, 20, 1, 0}});

@@ -68,8 +68,8 @@ struct Body {
   /// `keeps`: the frames that are in the folder; what differs is written.
   Results written(const std::filesystem::path& folder, const std::vector<FrameData>* keeps = nullptr) const {
     std::filesystem::create_directories(folder / "frames");
-    std::ofstream(folder / "run.json")
-        << R"({"summary": {"state": "done"}, "scene": {"quality": "draft", "grid": {"dx_m": 0.1}, "material": [{"name": "batter",
+    std::ofstream(folder / "run.json") << R"({"summary": {"state": "done"}, "scene": {"quality": "draft", "grid": {"dx_m": 0.1},
+      "oven": {"heat_transfer_coefficient_W_per_m2K": 10, "temperature_C": 190}, "material": [{"name": "batter",
       "initial_temperature_C": 5, "temperatures_C": [4, 20, 45, 120], "yield_stress_Pa": [20, 20, 2, 2000]}]}})";
     std::ofstream ledger(folder / "ledger.csv");
     ledger << fmt::format("{}\n", fmt::join(columns, ","));
