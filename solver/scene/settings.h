@@ -106,7 +106,8 @@ struct TimeSettings {
         Parameter{"cfl", &TimeSettings::cfl, "1", open_fraction, "largest particle travel per step, in dx"},
         Parameter{"largest_step_s", &TimeSettings::largest_step_s, "s", positive_or_infinite, "upper bound of the step"},
         Parameter{"smallest_step_s", &TimeSettings::smallest_step_s, "s", non_negative,
-                  "the run stops (exit 3) when stability asks for less; 0: for less than 1e-8 of the time between two frames"},
+                  "the run stops (exit 3) when stability asks for less; 0: for less than 1e-8 of the time between two frames, or of the "
+                  "whole run if that is shorter"},
     };
   }
 };

@@ -238,7 +238,7 @@ TEST(SceneError, ScenesSoFarAwayThatPositionsAreRoundedAreRefused) {
                 .find("bread.toml:8: domain.max_m: found x from 1e+10 to 1e+10 m in cells of 0.001 m, allowed: up to 4.5e+08 m"),
             std::string::npos)
       << error_of(at("1e10", "10000000001.0"));
-  EXPECT_EQ(error_of(at("1e8", "100000001.0")).find("move the scene"), std::string::npos);
+  EXPECT_EQ(parse(at("1e8", "100000001.0")).domain.min_m[0], 1e8);
 }
 
 TEST(SceneError, AHotColliderCovers) {
