@@ -33,8 +33,8 @@ struct MovingWater : Effect {
 
   /// The momentum that the flux carries, V (v_w (x) q) D^-1 w r, with the solid's velocity where vapour moves: it comes to dough without
   /// water, whose v_w has no value, and q q / rho_w is a millionth of a pascal; and the change of the water's own momentum, so that the sum
-  /// of m v + V q is kept. DEPARTS [Ding19 Eq. 25, 27]: no div v terms: as printed they take water and bulk velocity out of a body that
-  /// expands.
+  /// of m v + V q is kept.
+  /// DEPARTS [Ding19 Eq. 25, 27]: no div v terms: as printed they take water and bulk velocity out of a body that expands.
   BAKE_INLINE static void scatter(auto& p, auto& to, const auto& k, const auto& step, auto&) {
     using P = std::decay_t<decltype(p)>;
     const auto moment = (step.baking_dt_next * step.inverse_d) * p.volume();

@@ -155,10 +155,10 @@ struct Water : Effect {
   /// m_w += m_w sum w min(dm_i, 0) / m_i^w + rho_0^w V sum w max(dm_i, 0) / (rho_0^w V)_i: particles gain what their nodes gain, and none
   /// falls below zero; s = m_w / (rho_0^w V); q by Fick's law. What differs within a cell decays as of heat (Heat::gather).
   /// [Ding19 Eq. 19, 22]
+  /// Vapour is water, too, once it has left its place: q is the flux of both (Vapour::gather).
   /// DEPARTS [Ding19 Eq. 19]: printed with gains shared by the water that is there, so that dry dough stays dry for ever.
   /// DEPARTS [Ding19 Eq. 20]: the volume is that of the new time; with the old one and the printed div v term in (25) half
   /// of the water is gone at doubled volume.
-  /// Vapour is water, too, once it has left its place: q is the flux of both (Vapour::gather).
   BAKE_INLINE static void gather(auto& p, const auto& from, const auto& k, const auto& step, auto& report) {
     using P = std::decay_t<decltype(p)>;
     const auto room = k.rho_w * p.volume_before();
