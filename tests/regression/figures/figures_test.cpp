@@ -219,14 +219,14 @@ TEST(ValidationOfDrying, FollowsMeasuredCurvesOfApplesAndTimesOfGrapesButNotForE
 
 /// Fick's law alone neither warms the core nor the surface as measured, nor loses the water at the measured pace. The width is missed with
 /// vapour, too: the README says why.
-TEST(ValidationOfBread, FollowsTheMeasuredLoafWithVapourInItsPoresAndNotByFicksLaw) {
+TEST(LongValidationOfBread, FollowsTheMeasuredLoafWithVapourInItsPoresAndNotByFicksLaw) {
   const Made made("validation_bread", "validation_bread");
   ASSERT_LE(made.exit_code, 1) << made.errors;
   std::set<std::string> missed;
   for (const auto& claim : made.claims)
     if (!claim["holds"].get<bool>()) missed.insert(claim["of"].get<std::string>() + " " + claim["metric"].get<std::string>());
-  const std::set<std::string> expected_to_miss{"fick temperature_at", "fick surface_temperature", "fick water_left",
-                                               "vapour distance_gain"};
+  const std::set<std::string> expected_to_miss{"loaf_by_fick temperature_at", "loaf_by_fick surface_temperature", "loaf_by_fick water_left",
+                                               "loaf_with_vapour distance_gain"};
   EXPECT_EQ(missed, expected_to_miss);
   EXPECT_GE(made.claims.size(), 15);
 }
