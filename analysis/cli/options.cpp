@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <charconv>
 #include <tuple>
 
 #include "analysis/cli/commands.h"
 #include "solver/core/errors.h"
-#include "solver/io/processors.h"
 #include "solver/scene/entry.h"
 
 namespace bake::render {
@@ -21,7 +21,7 @@ int pixels_in(std::string_view digits) {
 
 }  // namespace
 
-int thread_count(int threads) { return threads > 0 ? threads : allowed_processors(); }
+int thread_count(int threads) { return threads > 0 ? threads : omp_get_num_procs(); }
 
 std::pair<int, int> size_in_pixels(const std::string& option, const std::string& size) {
   const std::size_t x = size.find('x');

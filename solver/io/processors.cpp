@@ -30,11 +30,6 @@ cpu_set_t all_allowed() {
 
 }  // namespace
 
-int allowed_processors() {
-  const cpu_set_t all = all_allowed();
-  return CPU_COUNT(&all) > 0 ? CPU_COUNT(&all) : 1;
-}
-
 Unbound::Unbound() : before_(present_affinity()) {
   const cpu_set_t all = all_allowed();
   ::sched_setaffinity(0, sizeof all, &all);

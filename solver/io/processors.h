@@ -6,11 +6,9 @@
 
 namespace bake {
 
-/// How many this process was allowed when it began: those of its affinity, also where OpenMP has bound this thread to one of them.
-int allowed_processors();
-
-/// Lets this thread, and what it starts meanwhile, run on all of them. OMP_PROC_BIND binds the thread that a program begins with to one
-/// processor, and a program that is started from it would see no other.
+/// Lets this thread, and what it starts meanwhile, run on all that this process was allowed when it began (omp_get_num_procs tells how
+/// many). OMP_PROC_BIND binds the thread that a program begins with to one processor, and a program that is started from it would see no
+/// other.
 class Unbound {
  public:
   Unbound();

@@ -29,6 +29,11 @@ json read_run(const fs::path& description) {
   return run.is_object() && run.contains("/scene/run"_json_pointer) && run.contains("/provenance/program"_json_pointer) ? run : json();
 }
 
+double number_at(const json& run, const char* place) {
+  const json::json_pointer at(place);
+  return run.is_object() && run.contains(at) && run[at].is_number() ? run[at].get<double>() : 0;
+}
+
 std::string text_at(const json& run, const char* place) {
   const json::json_pointer at(place);
   return run.is_object() && run.contains(at) && run[at].is_string() ? run[at].get<std::string>() : std::string();
@@ -134,14 +139,13 @@ void ResultsFolder::refuse_what_no_run_made() const {
 
 void ResultsFolder::refuse_to_replace(const Scene& scene, double end_s, Replace replace) const {
   const json run = read_run(description());
-  if (run.is_null() || replace == Replace::any_run || !(is_done() || has_checkpoint())) return;
+  const bool done = is_done();
+  if (run.is_null() || replace == Replace::any_run || !(done || has_checkpoint())) return;
   const std::string file = fs::path(text_at(run, "/scene/file")).filename().string();
   const bool same_file = file == scene.file.filename().string();
   if (same_file && replace == Replace::same_file) return;
   std::string other = difference(scene);
-  const json::json_pointer last("/summary/time_s");
-  if (const double reached = run.contains(last) && run[last].is_number() ? run[last].get<double>() : 0;
-      other.empty() && is_done() && end_s < (1 - 1e-9) * reached)
+  if (const double reached = number_at(run, "/summary/time_s"); other.empty() && done && end_s < (1 - 1e-9) * reached)
     other = fmt::format("its end: found {:g} s, there {:g} s", end_s, reached);
   if (other.empty()) return;
   throw InputError(fmt::format("{}: here are the results of {} ({}), allowed: another --out, or bake run --overwrite", folder_.string(),
