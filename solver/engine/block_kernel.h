@@ -101,9 +101,6 @@ class BlockKernel {
   virtual void take_nodes(Real* rows, Lanes<Real>* channels) const = 0;
   /// Writes W nodes' gathered rows from gathered_row() channels.
   virtual void put_nodes(const Lanes<Real>* channels, Real* rows) const = 0;
-  /// Conduction of a nodal temperature (row channel 0 of `gathered`): adds to channel 0 of `scattered`
-  /// sum_p kappa V D^-1 w r . grad theta (backward Euler's operator).
-  virtual void conduct(const BlockWork<Real>&, int index, Scratch<Real>&) const = 0;
 };
 
 /// The kernel of an order, with rows wide enough for the physics.

@@ -15,6 +15,7 @@
 
 #include "solver/core/rows.h"
 #include "solver/engine/block_kernel.h"
+#include "solver/engine/block_tile.h"
 #include "solver/grid/gather.h"
 #include "solver/grid/scatter.h"
 
@@ -157,27 +158,6 @@ class BlockKernelOf final : public BlockKernel<Real> {
   }
   void put_nodes(const V* channels, Real* rows) const override { lanes_to_rows<RG>(channels, rows); }
 
-  void conduct(const BlockWork<Real>& work, int index, Scratch<Real>& scratch) const override {
-    HomeBlock& block = work.store->blocks[static_cast<std::size_t>(index)];
-    prepare(scratch);
-    load_tile(work.gathered, block, scratch.gather_tile.data());
-    for (int t = block.first_tile; t < block.first_tile + block.tiles; ++t) {
-      const auto at = static_cast<std::size_t>(t);
-      V x[3];
-      load_position(work.store->tile(at), x);
-      const S stencil(x);
-      alignas(64) V gathered[4 * RG], scattered[4 * RS] = {};
-      FromTile::particles(scratch.gather_tile.data(), stencil, 1 / work.step.dx, gathered, [](int) {});
-      const V kappa_V = work.physics->conductance(work.store->tile(at), work.store->tiles[at].material);
-      for (int axis = 0; axis < 3; ++axis)
-        scattered[(1 + axis) * RS] = kappa_V * (work.step.inverse_d * work.step.dx) * gathered[(1 + axis) * RG];
-      alignas(64) Real rows[W * 4 * RS];
-      ToTile::coefficients_to_rows(stencil, scattered, 1, rows);
-      ToTile::particles(stencil, rows, LaneMask<Real>{}, work.store->tiles[at].count, scratch.scatter_tile.data());
-    }
-    flush(work.scattered, block, scratch.scatter_tile.data());
-  }
-
  private:
   static void prepare(Scratch<Real>& scratch) {
     if (scratch.gather_tile.size() < k_tile_nodes * FromTile::k_row) scratch.gather_tile.resize_and_forget(k_tile_nodes * FromTile::k_row);
@@ -186,26 +166,6 @@ class BlockKernelOf final : public BlockKernel<Real> {
 
   BAKE_INLINE static void load_position(const V* columns, V (&x)[3]) {
     for (int d = 0; d < 3; ++d) x[d] = columns[k_position_column + d];
-  }
-
-  /// Row number of a block's node, coordinates -4..7 around the block.
-  static std::size_t grid_row(const HomeBlock& block, int x, int y, int z) {
-    x += 4, y += 4, z += 4;
-    const int slot = block.neighbour[(x >> 2) * 9 + (y >> 2) * 3 + (z >> 2)];
-    return static_cast<std::size_t>(slot) * k_block_nodes + node_in_block(x & 3, y & 3, z & 3);
-  }
-
-  /// Calls visit(tile row, grid row, count) for runs of nodes along z in the touched range of a block.
-  template <class Visit>
-  BAKE_INLINE static void for_each_run(const HomeBlock& block, Visit visit) {
-    for (int x = block.low[0]; x <= block.high[0]; ++x)
-      for (int y = block.low[1]; y <= block.high[1]; ++y) {
-        const std::size_t tile_row = static_cast<std::size_t>(x * k_tile_plane + y * k_tile_side);
-        const auto grid = [&](int z) { return grid_row(block, x - 1, y - 1, z - 1); };
-        if (block.low[2] == 0) visit(tile_row, grid(0), 1);
-        visit(tile_row + 1, grid(1), 4);
-        if (block.high[2] > 4) visit(tile_row + 5, grid(5), block.high[2] - 4);
-      }
   }
 
   /// The home block one step up the column (+z), if particles live there.

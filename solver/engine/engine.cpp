@@ -19,7 +19,8 @@ Engine<Real>::Engine(const Scene& scene)
       physics_(make_physics_with_skins<Real>(scene)),
       kernel_(make_block_kernel<Real>(scene.grid.kernel, *physics_)),
       contacts_(scene, geometry_),
-      scratch_(static_cast<std::size_t>(omp_get_max_threads())) {
+      scratch_(static_cast<std::size_t>(omp_get_max_threads())),
+      implicit_heat_(scene.grid.kernel) {
   store_.columns = spare_.columns = physics_->column_count;
   given_.resize(givers_of(scene).size());
 }

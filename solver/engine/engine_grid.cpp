@@ -101,10 +101,9 @@ void Engine<Real>::update_grid() {
     tell_heat([&](double transfer, double source, double theta, double change) {
       return taken_up(transfer, source, theta, change) + transfer * theta;
     });
-    const BlockWork<Real> w = work(step);
     booked_[static_cast<std::size_t>(physics_->heat_entry)] +=
-        implicit_heat_.solve(*kernel_, w, colours_, scratch_, heat_weight_, heat_transfer_, physics_->temperature_channel,
-                             settling_.now ? 0 : dt_, physics_->heat_tolerance, gathered_);
+        implicit_heat_.solve(work(step), colours_, heat_weight_, heat_transfer_, settling_.now ? 0 : dt_,
+                             static_cast<std::size_t>(gathered_row()), gathered_.data());
     if (physics_->moves_mass)
       for (std::size_t s = 0; s < blocks; ++s)
         if (active_.touched[s])

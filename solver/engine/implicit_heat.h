@@ -2,8 +2,7 @@
 // Backward Euler for heat conduction: (H + dt K) theta = H theta*, by conjugate gradients on the grid.
 //
 // theta* is what the explicit node update leaves (content, heat transfer, expansion, latent heat), H the nodes' heat per degree with
-// the heat transfer in it, K = sum_p V kappa D^-1 w r (D^-1 w r)^T conduction, applied by one pass over the particles. [Ding19 Sec. 6.3,
-// gamma = 1]
+// the heat transfer in it, K theta = sum_p V kappa D^-1 w r (D^-1 w r)^T theta conduction (conduction.h). [Ding19 Sec. 6.3, gamma = 1]
 #pragma once
 
 #include <vector>
@@ -15,16 +14,26 @@ namespace bake {
 template <class Real>
 class ImplicitHeat {
  public:
-  /// Corrects the temperature (and its change, one channel before) in the gathered rows of `grid`. Nodes of weight 0 keep
-  /// their temperature; `heat_transfer`: of the nodes with their surroundings [W/K]. Returns the heat that the correction brings in through
-  /// surfaces and held nodes [J].
-  double solve(const BlockKernel<Real>& kernel, BlockWork<Real> work, const std::vector<BlockColumns>& colours,
-               std::vector<Scratch<Real>>& scratch, const std::vector<Real>& weight, const std::vector<Real>& heat_transfer,
-               int temperature_channel, double dt, double tolerance, AlignedBuffer<Real>& grid);
+  explicit ImplicitHeat(KernelOrder order) : order_(order) {}
+
+  /// Corrects the temperature, channel Physics::temperature_channel, and its change, one channel before, in the gathered rows of `grid`,
+  /// which have `row` numbers. `weight`: H of the nodes [J/K], those of weight 0 keep their temperature; `heat_transfer`: of the nodes
+  /// with their surroundings [W/K]. Stops at the relative residual Physics::heat_tolerance, or where round-off ends. The heat that
+  /// nodes gain is what was conducted to them, whatever the residual. Returns the heat that the correction brings in through surfaces
+  /// and held nodes [J].
+  double solve(const BlockWork<Real>& work, const std::vector<BlockColumns>& colours, const std::vector<Real>& weight,
+               const std::vector<Real>& heat_transfer, double dt, std::size_t row, Real* grid);
 
  private:
-  AlignedBuffer<Real> in_, out_;
-  std::vector<Real> x_, r_, p_, Kp_;
+  /// K_ = K theta.
+  void conduct(const BlockWork<Real>& work, const std::vector<BlockColumns>& colours, const std::vector<Real>& theta);
+  /// Sums visit(first node) over the blocks of 64 nodes, in their order: same bits for any number of threads.
+  template <class Visit>
+  double sum_over_blocks(Visit visit);
+
+  KernelOrder order_;
+  std::vector<Real> theta_, r_, z_, p_, d_, K_;
+  std::vector<double> parts_;
 };
 
 extern template class ImplicitHeat<float>;
