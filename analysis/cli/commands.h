@@ -13,7 +13,7 @@
 
 namespace bake::render {
 
-using cli::Action, cli::add_threads_option, cli::on_request, cli::whole_number;
+using cli::Action, cli::add_threads_option, cli::number, cli::on_request, cli::whole_number;
 
 void add_picture_command(CLI::App& app, Action& action);
 void add_slice_command(CLI::App& app, Action& action);

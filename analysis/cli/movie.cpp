@@ -113,7 +113,7 @@ void add_movie_command(CLI::App& app, Action& action) {
   command->add_option("folder", options->folder, "results of a run, or a folder of surfaces")->required();
   command->add_option("--out", options->out, "folder of the pictures")->required();
   command->add_option("--every", options->every, "take every n-th frame, and the last [1]")->transform(whole_number(1, 1000000));
-  command->add_option("--rate", options->rate, "pictures per second of the mp4 [24]")->check(CLI::PositiveNumber);
+  command->add_option("--rate", options->rate, "pictures per second of the mp4 [24]")->check(number(0.01, 1000));
   on_request(*command, action, [options] { make_movie(*options); });
 }
 

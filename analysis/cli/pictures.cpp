@@ -155,7 +155,7 @@ void add_surface_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("surface", "A closed smooth surface around a frame's particles, with their fields");
   command->add_option("frame", options->frame, "a frame of a run")->required();
   command->add_option("--out", options->out, "the surface, an .hdf file")->required();
-  command->add_option("--spacing", options->spacing_m, "typical distance of particles in m [measured]")->check(CLI::PositiveNumber);
+  command->add_option("--spacing", options->spacing_m, "typical distance of particles in m [measured]")->check(number(1e-9, 1e6, "m"));
   add_threads_option(*command, options->threads);
   on_request(*command, action, [options] {
     check_ending(options->out, ".hdf");

@@ -20,7 +20,8 @@ void add_fracture_command(CLI::App& app, Action& action) {
   command
       .add_option("--reference-time", options->reference_time_s,
                   "simulated time at which edges have their unstretched length: for a loaf that is torn, the end of baking [0]")
-      ->type_name("SECONDS");
+      ->type_name("SECONDS")
+      ->check(number(0, 1e9, "s"));
   auto* frames = command.add_option("--frames", options->frames, "which frames, separated by commas [the last]");
   frames->type_name("N,N,...")->delimiter(',')->transform(whole_number(0, 1'000'000'000));
   command.add_option("--every", options->every, "every N-th frame")
@@ -29,16 +30,16 @@ void add_fracture_command(CLI::App& app, Action& action) {
       ->excludes(frames);
   command.add_option("--stretch", options->stretch, "an edge breaks beyond this many times its unstretched length, and ... [2]")
       ->type_name("S")
-      ->check(CLI::Range(1.0, 1e6));
+      ->check(number(1, 1e6));
   command
       .add_option("--smallest-gap", options->smallest_gap_m, "... beyond this length, both in two frames that follow each other [1.5 dx]")
       ->type_name("METRES")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(number(0, 1e6, "m"));
   command
       .add_option("--void-ratio", options->void_ratio,
                   "... and if the tetrahedra around it hold this many times the volume of their dough [not asked]")
       ->type_name("R")
-      ->check(CLI::Range(1.0, 1e6));
+      ->check(number(1, 1e6));
   command.add_option("--first-particle", options->first_particle, "identity of the particle that is vertex 0 [0]")
       ->type_name("N")
       ->transform(whole_number(0, std::int64_t{1} << 40));

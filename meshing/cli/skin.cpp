@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <memory>
 #include <optional>
 
@@ -45,16 +44,6 @@ void skin(const SkinArguments& arguments) {
 }
 
 /// A word that CLI11's own range would take for 0, or answer with another range than it has, as nan and 0.
-CLI::Validator edge_length() {
-  const auto check = [](std::string& text) -> std::string {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc() && end == text.data() + text.size() && value >= 1e-9 && value <= 1e6) return {};
-    return fmt::format("found {}, allowed: a length from 1e-9 to 1e6 m", text);
-  };
-  return {check, ""};
-}
-
 }  // namespace
 
 void add_skin_command(CLI::App& app, Action& action) {
@@ -64,7 +53,7 @@ void add_skin_command(CLI::App& app, Action& action) {
   command.add_option("--out", arguments->out, "file of the mesh, .hdf")->required()->type_name("FILE");
   command.add_option("--edge-length", arguments->edge_length_m, "length of the triangles' edges [the distance of the scene's particles]")
       ->type_name("METRES")
-      ->check(edge_length());
+      ->check(number(1e-9, 1e6, "m"));
   on_request(command, action, [arguments] { skin(*arguments); });
 }
 

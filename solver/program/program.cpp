@@ -128,6 +128,16 @@ CLI::Validator whole_number(std::int64_t low, std::int64_t high) {
   return {take, ""};
 }
 
+CLI::Validator number(double low, double high, const char* unit) {
+  const auto check = [=](std::string& text) -> std::string {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc() && end == text.data() + text.size() && value >= low && value <= high) return {};
+    return fmt::format("found {}, allowed: a number from {} to {}{}{}", text, low, high, *unit ? " " : "", unit);
+  };
+  return {check, ""};
+}
+
 CLI::Validator not_empty() {
   const auto check = [](std::string& text) { return text.empty() ? std::string("found an empty name, allowed: a path") : std::string(); };
   return {check, ""};

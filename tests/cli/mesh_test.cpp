@@ -45,7 +45,9 @@ TEST_F(AMesh, WithAMistakeIsOneLineAndExitTwo) {
   expect_refused(place, "skin dough --edge-length 1 --out x.hdf", "are too long for this body");
   for (const char* length : {"0", "nan", "-1", "1e7", "1x"})
     expect_refused(place, fmt::format("skin dough --edge-length {} --out x.hdf", length),
-                   fmt::format("found {}, allowed: a length from 1e-9 to 1e6 m", length));
+                   fmt::format("found {}, allowed: a number from 1e-09 to 1000000 m", length));
+  for (const char* option : {"--stretch", "--smallest-gap", "--void-ratio", "--reference-time"})
+    expect_refused(place, fmt::format("fracture x.hdf run --out y {} nan", option), "found nan, allowed: a number from ");
   expect_refused(place, "fracture x.hdf run --out y", "x.hdf: cannot open");
   EXPECT_FALSE(std::filesystem::exists(place.folder() / "x.hdf"));
 }
