@@ -54,7 +54,8 @@ struct Heat : Effect {
       return std::tuple{
           Parameter{"integrator", &Settings::integrator, "", any_number, "gamma = 0 (forward Euler) or 1 (backward Euler) of Sec. 6.3"},
           Parameter{"tolerance", &Settings::tolerance, "1", open_fraction,
-                    "relative residual at which backward Euler's conjugate gradients stop"},
+                    "relative residual at which backward Euler's conjugate gradients stop, or where round-off ends; what is conducted is "
+                    "booked, whatever is left"},
           Parameter{"heat_transfer_form", &Settings::heat_transfer_form, "", any_number,
                     "surface flux beta (theta_out - theta) (standard) or with the printed sign (published)", Presence::optional,
                     "exchange_form"},
