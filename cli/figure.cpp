@@ -74,7 +74,7 @@ void add_figure_commands(CLI::App& app, Action& action) {
   figure_command.add_option("--size", arguments->options.size, "size of the pictures, instead of the view's")
       ->type_name("WxH")
       ->check(picture_size());
-  figure_command.add_option("--samples", arguments->options.samples, "paths of light per pixel, instead of the view's")
+  figure_command.add_option("--samples", arguments->options.samples, "most paths of light per pixel, instead of the view's")
       ->type_name("N")
       ->transform(whole_number(1, 1'000'000));
   on_request(figure_command, action, [arguments] { return figure(*arguments, "figure"); });

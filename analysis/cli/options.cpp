@@ -44,7 +44,7 @@ void PictureOptions::add_to(CLI::App& command) {
   command.add_option("--set", overrides, "key=value: changes a value of the view, e.g. camera.angle_of_view_deg=40")
       ->allow_extra_args(false);
   command.add_option("--size", size, "WIDTHxHEIGHT in pixels instead of the view's");
-  command.add_option("--samples", samples, "paths of light per pixel instead of the view's (slices need none)")
+  command.add_option("--samples", samples, "most paths of light per pixel instead of the view's (slices need none)")
       ->transform(whole_number(1, 1000000));
   add_threads_option(command, threads);
 }

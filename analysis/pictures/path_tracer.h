@@ -3,7 +3,7 @@
 //
 // Surfaces are diffuse under a rough dielectric coat, or translucent: the light that the camera sees has wandered about inside. Light
 // comes from one square lamp (sampled directly, not seen by rays) and from the sky (met by rays that leave the scene). The picture is an
-// unbiased estimate but for the bound on bounces, and the same for any number of threads: every pixel has its own random numbers, and the
+// unbiased estimate but for the bound on bounces, and the same for any number of threads: every path has its own random numbers, and the
 // tree over the scene is built by one thread.
 #pragma once
 
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "analysis/image/colour.h"
+#include "analysis/pictures/exposure.h"
 
 namespace bake {
 
@@ -72,19 +73,6 @@ struct Camera {
   float half_height = 0.25f;  ///< tangent of half the vertical field of view
 };
 
-struct Exposure {
-  int width = 1280, height = 960;  ///< pixels
-  int samples = 64;                ///< paths per pixel
-  int threads = 1;
-  int most_bounces = 8;
-};
-
-/// Linear radiance, row by row from the top.
-struct Radiance {
-  int width = 0, height = 0;
-  std::vector<Colour> pixels;
-};
-
 class PathTracer {
  public:
   PathTracer();
@@ -98,8 +86,8 @@ class PathTracer {
   Lamp lamp;
   Sky sky;
 
-  /// Renders the picture. The first thread calls `rows_done(n)` now and then.
-  Radiance expose(const Camera& camera, const Exposure& exposure, const std::function<void(int)>& rows_done = {});
+  /// Renders the picture. The first thread calls `progress(share done)` now and then.
+  Radiance expose(const Camera& camera, const Exposure& exposure, const std::function<void(double share)>& progress = {});
 
  private:
   struct Scene;

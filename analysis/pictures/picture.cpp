@@ -161,14 +161,16 @@ Camera fitted_camera(const std::vector<Vec3f>& points, const Vec3f& direction, d
   return camera;
 }
 
-Image developed(const Radiance& radiance, double exposure) {
-  Image image(radiance.width, radiance.height, Colour::Zero());
+Colour developed(const Colour& light, double exposure) {
   const auto film = [](float x) { return x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f); };
   constexpr float k_middle = 0.6f;  // the fit is meant for light reduced by this
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    const Colour light = radiance.pixels[i] * (k_middle * static_cast<float>(exposure));
-    image.pixels[i] = pixel(srgb_from_linear(light.unaryExpr(film)));
-  }
+  const Colour reduced = light * (k_middle * static_cast<float>(exposure));
+  return srgb_from_linear(reduced.unaryExpr(film));
+}
+
+Image developed(const Radiance& radiance, double exposure) {
+  Image image(radiance.width, radiance.height, Colour::Zero());
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = pixel(developed(radiance.pixels[i], exposure));
   return image;
 }
 
@@ -286,11 +288,10 @@ Image take_picture(const View& view, Composition composition, const Stage& stage
   }
   if (view.ground.show) tracer.add(cove(stage, linear(view.ground.colour)));
   light_up(tracer, view, stage);
-  const Exposure exposure{view.picture.width_px, view.picture.height_px, view.picture.samples, threads};
-  const auto rows_done = [&](int rows) {
-    if (progress) progress(static_cast<double>(rows) / exposure.height);
-  };
-  Image image = developed(tracer.expose(stage.camera, exposure, rows_done), view.picture.exposure);
+  Exposure exposure{view.picture.width_px, view.picture.height_px, view.picture.samples, threads};
+  exposure.noise = static_cast<float>(view.picture.noise);
+  exposure.shown = [&](const Colour& light) { return developed(light, view.picture.exposure); };
+  Image image = developed(tracer.expose(stage.camera, exposure, progress), view.picture.exposure);
   draw_colour_bars(image, bars);
   const int size = static_cast<int>(std::lround(k_title_height * image.height));
   for (std::size_t i = 0; i < view.objects.size(); ++i) {

@@ -19,6 +19,7 @@ Camera fitted_camera(const std::vector<Vec3f>& points, const Vec3f& direction, d
                      double below, double above = 0);
 
 /// Light to sRGB: exposure, then a curve that rolls off highlights (Narkowicz 2015, fit of the ACES film curve).
+Colour developed(const Colour& light, double exposure);
 Image developed(const Radiance& radiance, double exposure);
 
 /// The contents of a picture, before the camera is set up.

@@ -27,6 +27,7 @@ struct PictureSettings {
   int width_px = 1280;
   int height_px = 960;
   int samples = 64;
+  double noise = 0.03;
   double exposure = 1;
   bool colour_bar = true;
   static constexpr auto parameters() {
@@ -34,7 +35,9 @@ struct PictureSettings {
         Parameter{"width_px", &PictureSettings::width_px, "", pixels, "width of the picture"},
         Parameter{"height_px", &PictureSettings::height_px, "", pixels, "height of the picture"},
         Parameter{"samples", &PictureSettings::samples, "", whole_positive,
-                  "paths of light per pixel: 16 to look, 64 to review, 256 to print"},
+                  "most paths of light per pixel: 16 to look, 64 to review, 256 to print"},
+        Parameter{"noise", &PictureSettings::noise, "1", fraction,
+                  "share of white: where the picture's noise is less no further paths are taken; 0: all samples everywhere"},
         Parameter{"exposure", &PictureSettings::exposure, "1", positive, "brightness of the whole picture"},
         Parameter{"colour_bar", &PictureSettings::colour_bar, "", any_number,
                   "show what the colours of an object with paint = \"field\" stand for, with its range and time"},
