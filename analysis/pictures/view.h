@@ -27,7 +27,7 @@ struct PictureSettings {
   int width_px = 1280;
   int height_px = 960;
   int samples = 64;
-  double noise = 0.03;
+  double noise = 0.02;
   double exposure = 1;
   bool colour_bar = true;
   static constexpr auto parameters() {

@@ -23,6 +23,10 @@ struct MakeOptions {
   bool quiet = false;
 };
 
+/// How many of the programs that make surfaces, pictures and bodies work at the same time: two, since each has stretches that keep a single
+/// core busy. One where one thread was asked for, and at paper, where one takes up to 4 GB.
+inline int programs_at_once(const MakeOptions& options) { return options.threads == 1 || options.quality == Quality::paper ? 1 : 2; }
+
 /// results/<run>-<quality> and results/items/<item>-<quality>, in the working folder.
 struct FigurePaths {
   const Item& item;

@@ -2,6 +2,7 @@
 #include "experiments/make/make_figure.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 
@@ -13,7 +14,8 @@
 namespace bake {
 
 void say(const MakeOptions& options, const std::string& line) {
-  if (!options.quiet) tell_user("{}", line);
+  const char* const over_a_bar = isatty(STDERR_FILENO) ? "\r\x1b[K" : "";  // of a program that is under way
+  if (!options.quiet) tell_user("{}{}", over_a_bar, line);
 }
 
 bool MadeFigure::holds() const {

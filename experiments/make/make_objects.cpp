@@ -6,6 +6,7 @@
 #include "experiments/make/moments.h"
 #include "experiments/make/pipeline.h"
 #include "experiments/make/programs.h"
+#include "experiments/make/side_by_side.h"
 #include "experiments/make/up_to_date.h"
 
 namespace bake {
@@ -56,7 +57,7 @@ void make_body(const FigurePaths& paths, const FigureObject& object, const std::
   say(paths.options, fmt::format("object {} of {}", object.name, name));
   fs::remove_all(folder);  // frames that are no longer chosen
   if (paths.options.threads > 0) words.insert(words.end(), {"--threads", std::to_string(paths.options.threads)});  // same surfaces
-  call_program("bake-render", words, paths.item_folder() / (object.name + ".log"), paths.options.quiet);
+  call_program("bake-render", words, paths.item_folder() / (object.name + "_" + name + ".log"), paths.options.quiet);
   record_sources(folder, from);
 }
 
@@ -66,8 +67,10 @@ void make_objects(const FigurePaths& paths) {
   for (const FigureObject& object : paths.figure.objects) {
     const Results leader(paths.run(object.of.front()));
     const std::vector<int> frames = frames_of(leader, object.from_s);
-    for (const std::string& name : object.of)
-      make_body(paths, object, name, name == object.of.front() ? frames : frames_beside(leader, frames, Results(paths.run(name))));
+    side_by_side(object.of.size(), programs_at_once(paths.options), [&](std::size_t i) {
+      const std::string& name = object.of[i];
+      make_body(paths, object, name, i == 0 ? frames : frames_beside(leader, frames, Results(paths.run(name))));
+    });
   }
 }
 

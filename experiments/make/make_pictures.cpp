@@ -4,6 +4,7 @@
 #include "analysis/image/layout.h"
 #include "experiments/make/pipeline.h"
 #include "experiments/make/programs.h"
+#include "experiments/make/side_by_side.h"
 #include "experiments/make/up_to_date.h"
 
 namespace bake {
@@ -95,7 +96,8 @@ void make_montage(const FigurePaths& paths, const FigureMontage& montage) {
 }  // namespace
 
 void make_pictures(const FigurePaths& paths) {
-  for (const FigurePicture& picture : paths.figure.pictures) make_picture(paths, picture);
+  const auto& pictures = paths.figure.pictures;
+  side_by_side(pictures.size(), programs_at_once(paths.options), [&](std::size_t i) { make_picture(paths, pictures[i]); });
   for (const FigureMontage& montage : paths.figure.montages) make_montage(paths, montage);
 }
 

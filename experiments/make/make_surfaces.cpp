@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <set>
+#include <utility>
+
 #include "experiments/make/pipeline.h"
 #include "experiments/make/programs.h"
+#include "experiments/make/side_by_side.h"
 #include "experiments/make/up_to_date.h"
 
 namespace bake {
@@ -48,8 +52,14 @@ void make_surface(const FigurePaths& paths, const FigureSurface& surface) {
 }  // namespace
 
 void make_surfaces(const FigurePaths& paths) {
-  for (const FigurePaths& part : with_parts(paths))
-    for (const FigureSurface& surface : part.figure.surfaces) make_surface(part, surface);
+  const std::vector<FigurePaths> parts = with_parts(paths);
+  std::vector<std::pair<const FigurePaths*, const FigureSurface*>> surfaces;
+  std::set<fs::path> folders;  // two pictures may show one part
+  for (const FigurePaths& part : parts)
+    for (const FigureSurface& surface : part.figure.surfaces)
+      if (folders.insert(part.surface(surface.name)).second) surfaces.emplace_back(&part, &surface);
+  side_by_side(surfaces.size(), programs_at_once(paths.options),
+               [&](std::size_t i) { make_surface(*surfaces[i].first, *surfaces[i].second); });
 }
 
 }  // namespace bake

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <fstream>
 #include <functional>
+#include <mutex>
 
 #include "solver/core/errors.h"
 #include "solver/io/child.h"
@@ -44,6 +45,9 @@ void call_program(const std::string& name, const std::vector<std::string>& argum
   fs::create_directories(log.parent_path());
   std::vector<std::string> words = arguments;
   words.insert(words.begin(), program.string());
+  static std::mutex telling;
+  const std::unique_lock tells(telling, std::try_to_lock);
+  quiet = quiet || !tells;
   Meter meter(name, progress_on_stderr(quiet));
   std::string told;
   double told_s = steady_seconds();

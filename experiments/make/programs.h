@@ -12,8 +12,8 @@ namespace bake {
 std::filesystem::path find_program(const std::string& name);
 
 /// Runs the program and waits; its output goes to `log`, and the last line of that, which tells how far it is, to
-/// standard error, unless quiet. If its exit code is 2 (bad input), throws InputError with its last line; if it
-/// fails in another way, throws RunError with that line.
+/// standard error, unless quiet; of several that work side by side one tells. If its exit code is 2 (bad input), throws InputError with its
+/// last line; if it fails in another way, throws RunError with that line.
 void call_program(const std::string& name, const std::vector<std::string>& arguments, const std::filesystem::path& log, bool quiet);
 
 }  // namespace bake
