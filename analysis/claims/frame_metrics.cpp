@@ -191,6 +191,22 @@ double time_to_spread(const Results& run, const MetricPlace& at) {
   return time_of_share(spread.times, spread.gained, k_share);
 }
 
+/// Growth between frames belongs to the time between them.
+double set_time(const Results& run, const MetricPlace& at) {
+  const Spread spread(run, at);
+  std::vector<double> times, rates;
+  for (std::size_t i = 1; i < spread.times.size(); ++i) {
+    times.push_back((spread.times[i - 1] + spread.times[i]) / 2);
+    rates.push_back((spread.diameters[i] - spread.diameters[i - 1]) / (spread.times[i] - spread.times[i - 1]));
+  }
+  const double half = largest_of(rates) / 2;
+  if (!(half > 0)) return std::nan("");
+  for (std::size_t i = rates.size() - 1; i > 0; --i)
+    if (rates[i - 1] >= half && rates[i] < half)
+      return times[i - 1] + (times[i] - times[i - 1]) * (rates[i - 1] - half) / (rates[i - 1] - rates[i]);
+  return k_infinity;
+}
+
 double diameter_kept(const Results& run, const MetricPlace& at) {
   const Spread spread(run, at);
   return spread.diameters.back() / largest_of(spread.diameters);
@@ -291,6 +307,8 @@ std::vector<Metric> frame_metrics() {
        "rate at which that diameter grows, the mean from a tenth to nine tenths of what it gains at most", spread_rate, needs(),
        knows("point_m")},
       {"time_to_spread", "s", non_negative, "time at which that diameter has 95 % of what it gains at most", time_to_spread, needs(),
+       knows("point_m")},
+      {"set_time", "s", non_negative, "last time at which that diameter grows half as fast as it does at most", set_time, needs(),
        knows("point_m")},
       {"diameter_kept", "1", fraction, "that diameter at the end over the largest on the way: less than 1 for what draws together again",
        diameter_kept, needs(), knows("point_m")},

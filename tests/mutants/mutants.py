@@ -45,6 +45,7 @@ MUTANTS = [
     (CLAIMS + "ledger_metrics.cpp", "* run.at(\"surface_m2\", frame)", "* run.at(\"surface_m2\", before)"),
     (CLAIMS + "frame_metrics.cpp", "return 2 * radius_of_share(", "return radius_of_share("),
     (CLAIMS + "frame_metrics.cpp", "return (k_to - k_from) * spread.gain() /", "return spread.gain() /"),
+    (CLAIMS + "frame_metrics.cpp", "const double half = largest_of(rates) / 2;", "const double half = largest_of(rates);"),
     (CLAIMS + "frame_metrics.cpp", "spread.diameters.back() / largest_of(spread.diameters)", "spread.diameters.back()"),
     (CLAIMS + "volume_share.h", "* (share - shares[i - 1]) /", "* share /"),
     (CLAIMS + "frame_metrics.cpp", "-2 * xz / xx", "2 * xz / xx"),

@@ -229,8 +229,10 @@ TEST_F(FrameMetrics, TellHowFastADiscSpreadsUntilWhenAndWhatItKeeps) {
   EXPECT_NEAR(measure("spread_rate", middle), 0.04 * std::sqrt(0.99), 1e-3);
   EXPECT_NEAR(measure("time_to_spread", middle), 29, 0.2);
   EXPECT_NEAR(measure("diameter_kept", middle), 0.8 / 0.9, 0.01);
+  EXPECT_NEAR(measure("set_time", middle), 25 + 10. / 3, 0.2) << "from 0.04 to -0.02 per second between 25 and 35 s";
   for (int number = 0; number < 5; ++number) frame(number, disc(0.5, 1e-3f));
-  for (const char* metric : {"spread_rate", "time_to_spread"}) EXPECT_FALSE(std::isfinite(measure(metric, middle))) << "it does not spread";
+  for (const char* metric : {"spread_rate", "time_to_spread", "set_time"})
+    EXPECT_FALSE(std::isfinite(measure(metric, middle))) << metric << " of a disc that does not spread";
   EXPECT_EQ(measure("diameter_kept", middle), 1);
 }
 
