@@ -163,6 +163,55 @@ double diameter(const Results& run, const MetricPlace& at) {
   return 2 * radius_of_share(run.frame(run.frame_at(at.time_s)), axis_at(run, at), k_share);
 }
 
+/// The diameter over time, and which share it has gained of what it gains at most.
+struct Spread {
+  std::vector<double> times, diameters, gained;
+
+  Spread(const Results& run, MetricPlace at) : times(run.column("time_s")) {
+    run.expect_change();
+    for (const double time : times) {
+      at.time_s = time;
+      diameters.push_back(diameter(run, at));
+    }
+    for (const double now : diameters) gained.push_back((now - diameters.front()) / gain());
+  }
+  double gain() const { return largest_of(diameters) - diameters.front(); }
+};
+
+double spread_rate(const Results& run, const MetricPlace& at) {
+  constexpr double k_from = 0.1, k_to = 0.9;
+  const Spread spread(run, at);
+  return (k_to - k_from) * spread.gain() /
+         (time_of_share(spread.times, spread.gained, k_to) - time_of_share(spread.times, spread.gained, k_from));
+}
+
+double time_to_spread(const Results& run, const MetricPlace& at) {
+  constexpr double k_share = 0.95;
+  const Spread spread(run, at);
+  return time_of_share(spread.times, spread.gained, k_share);
+}
+
+/// Growth between frames belongs to the time between them.
+double set_time(const Results& run, const MetricPlace& at) {
+  const Spread spread(run, at);
+  std::vector<double> times, rates;
+  for (std::size_t i = 1; i < spread.times.size(); ++i) {
+    times.push_back((spread.times[i - 1] + spread.times[i]) / 2);
+    rates.push_back((spread.diameters[i] - spread.diameters[i - 1]) / (spread.times[i] - spread.times[i - 1]));
+  }
+  const double half = largest_of(rates) / 2;
+  if (!(half > 0)) return std::nan("");
+  for (std::size_t i = rates.size() - 1; i > 0; --i)
+    if (rates[i - 1] >= half && rates[i] < half)
+      return times[i - 1] + (times[i] - times[i - 1]) * (rates[i - 1] - half) / (rates[i - 1] - rates[i]);
+  return k_infinity;
+}
+
+double diameter_kept(const Results& run, const MetricPlace& at) {
+  const Spread spread(run, at);
+  return spread.diameters.back() / largest_of(spread.diameters);
+}
+
 double height_over_diameter(const Results& run, const MetricPlace& at) {
   return run.at("height_m", static_cast<std::size_t>(run.frame_at(at.time_s))) / diameter(run, at);
 }
@@ -254,6 +303,15 @@ std::vector<Metric> frame_metrics() {
       {"diameter", "m", non_negative,
        "twice the distance from the upright axis (through point_m, or the start's middle) within which 99 % of the volume is", diameter,
        needs(), knows("point_m", "time_s")},
+      {"spread_rate", "m/s", non_negative,
+       "rate at which that diameter grows, the mean from a tenth to nine tenths of what it gains at most", spread_rate, needs(),
+       knows("point_m")},
+      {"time_to_spread", "s", non_negative, "time at which that diameter has 95 % of what it gains at most", time_to_spread, needs(),
+       knows("point_m")},
+      {"set_time", "s", non_negative, "last time at which that diameter grows half as fast as it does at most", set_time, needs(),
+       knows("point_m")},
+      {"diameter_kept", "1", fraction, "that diameter at the end over the largest on the way: less than 1 for what draws together again",
+       diameter_kept, needs(), knows("point_m")},
       {"height_over_diameter", "1", non_negative, "height over that diameter: what is flat has little", height_over_diameter, needs(),
        knows("point_m", "time_s")},
       {"top_curvature", "1/m", any_number, "curvature of the top within radius_m of that axis: above 0 for a dome, below for a dent",

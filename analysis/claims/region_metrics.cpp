@@ -45,14 +45,6 @@ double heated_share(const Results& run, const MetricPlace& at) {
   return heated_share_of(run, run.frame_at(at.time_s), at);
 }
 
-/// The first time, linear between frames, at which the share of the volume that has been hot reaches `share`; infinite if it does not.
-double time_of_share(const std::vector<double>& times, const std::vector<double>& shares, double share) {
-  for (std::size_t i = 1; i < times.size(); ++i)
-    if (shares[i] >= share && shares[i - 1] < share)
-      return times[i - 1] + (times[i] - times[i - 1]) * (share - shares[i - 1]) / (shares[i] - shares[i - 1]);
-  return k_infinity;
-}
-
 double heating_window(const Results& run, const MetricPlace& at) {
   const auto times = run.column("time_s");
   std::vector<double> shares;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Shares of the volume of a frame, as metrics measure them.
+// Shares of the volume of a frame, and when shares are reached, as metrics measure them.
 #pragma once
 
 #include <cmath>
+#include <vector>
 
+#include "analysis/claims/finite.h"
 #include "analysis/claims/results.h"
 
 namespace bake {
@@ -27,6 +29,14 @@ template <class Counted>
 double volume_share(const CheckedFrame& frame, Counted counted) {
   return volume_share(
       frame, [](std::size_t) { return true; }, counted);
+}
+
+/// The first time, linear between frames, at which a share reaches `share`; infinite if it does not.
+inline double time_of_share(const std::vector<double>& times, const std::vector<double>& shares, double share) {
+  for (std::size_t i = 1; i < times.size(); ++i)
+    if (shares[i] >= share && shares[i - 1] < share)
+      return times[i - 1] + (times[i] - times[i - 1]) * (share - shares[i - 1]) / (shares[i] - shares[i - 1]);
+  return k_infinity;
 }
 
 }  // namespace bake

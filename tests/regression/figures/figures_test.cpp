@@ -231,5 +231,19 @@ TEST(LongValidationOfBread, FollowsTheMeasuredLoafWithVapourInItsPoresAndNotByFi
   EXPECT_GE(made.claims.size(), 15);
 }
 
+/// Hotter ovens spread biscuits sooner, cooler ones farther, and hard wheat less, all as measured; the README says why the rest is missed.
+TEST(LongValidationOfBiscuits, SpreadAsMeasuredOfTwoFloursAndInThreeOvensButNeitherShrinkNorDryAsMuch) {
+  const Made made("validation_biscuits", "validation_biscuits");
+  ASSERT_LE(made.exit_code, 1) << made.errors;
+  std::set<std::string> missed;
+  for (const auto& claim : made.claims)
+    if (!claim["holds"].get<bool>()) missed.insert(claim["of"].get<std::string>() + " " + claim["metric"].get<std::string>());
+  const std::set<std::string> expected_to_miss{"biscuit_185 diameter_kept",  "biscuit_185 time_to_spread", "biscuit_205 diameter_kept",
+                                               "biscuit_205 time_to_spread", "biscuit_205 water_left",     "biscuit_225 diameter_kept",
+                                               "biscuit_225 time_to_spread", "biscuit_hard time_to_spread"};
+  EXPECT_EQ(missed, expected_to_miss);
+  EXPECT_GE(made.claims.size(), 40);
+}
+
 }  // namespace
 }  // namespace bake

@@ -220,6 +220,22 @@ TEST_F(FrameMetrics, MeasureADiameterWithoutItsStrays) {
   EXPECT_GT(measure("diameter", {.time_s = 2}), 10) << "a stray that is an eighth of the volume is none";
 }
 
+TEST_F(FrameMetrics, TellHowFastADiscSpreadsUntilWhenAndWhatItKeeps) {
+  std::ofstream(folder_ / "ledger.csv") << "time_s\n0\n10\n20\n30\n40\n";
+  const double radii[] = {0.5, 0.5, 0.7, 0.9, 0.8};
+  for (int number = 0; number < 5; ++number) frame(number, disc(radii[number], 1e-3f));
+  const MetricPlace middle{.point_m = Vector3{3, 4, 0}};
+  // 0.8 of the diameter in 20 s from the tenth second on
+  EXPECT_NEAR(measure("spread_rate", middle), 0.04 * std::sqrt(0.99), 1e-3);
+  EXPECT_NEAR(measure("time_to_spread", middle), 29, 0.2);
+  EXPECT_NEAR(measure("diameter_kept", middle), 0.8 / 0.9, 0.01);
+  EXPECT_NEAR(measure("set_time", middle), 25 + 10. / 3, 0.2) << "from 0.04 to -0.02 per second between 25 and 35 s";
+  for (int number = 0; number < 5; ++number) frame(number, disc(0.5, 1e-3f));
+  for (const char* metric : {"spread_rate", "time_to_spread", "set_time"})
+    EXPECT_FALSE(std::isfinite(measure(metric, middle))) << metric << " of a disc that does not spread";
+  EXPECT_EQ(measure("diameter_kept", middle), 1);
+}
+
 TEST_F(FrameMetrics, CompareHeightAndDiameter) {
   std::ofstream(folder_ / "ledger.csv") << "time_s,height_m\n0,2\n1,1\n2,0.4\n";
   frame(0, disc(0.5, 1e-3f));
