@@ -171,8 +171,8 @@ TEST(PathTracer, SameBitsForAnyNumberOfThreads) {
       ball.spheres[0].head<3>() = Vec3f(0.21f * static_cast<float>(i % 7) - 0.6f, 0.17f * static_cast<float>(i % 5) - 0.3f, 0.3f);
       tracer.add(std::move(ball));
     }
-    Exposure exposure{48, 36, 48, threads};
-    exposure.noise = 0.05f;
+    Exposure exposure{96, 72, 48, threads};
+    exposure.noise = 0.012f;
     return tracer.expose({{0, -4, 2}, {0, 0, 0.2f}, {0, 0, 1}, 0.25f}, exposure);
   };
   const Radiance one = picture(1);
