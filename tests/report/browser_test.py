@@ -206,6 +206,7 @@ def take_pictures(file, folder):
             begun = time.monotonic()
             page.open(address)
             loaded = time.monotonic() - begun
+            seen = page.run("performance.getEntriesByName('first-contentful-paint')[0].startTime") / 1000
             for i in range(page.run("bodies.length")):  # they are drawn when they come near
                 page.run(f"bodies[{i}].figure.scrollIntoView()")
                 page.wait(f"bodies[{i}].figure.matches('.alive, .still')")
@@ -214,7 +215,7 @@ def take_pictures(file, folder):
             height_px = page.run("document.documentElement.scrollHeight")
             for i, top in enumerate(range(0, height_px, 4 * height)):
                 page.picture(os.path.join(folder, f"{name}_{i}.png"), top, min(4 * height, height_px - top))
-            print(f"{name}: loaded after {loaded:.2f} s, {height_px} px high, wide {page.run('document.documentElement.scrollWidth')},",
+            print(f"{name}: first view after {seen:.2f} s, loaded after {loaded:.2f} s, {height_px} px high, wide {page.run('document.documentElement.scrollWidth')},",
                   "console", page.told(), "asked", [a[:60] for a in page.asked() if not a.startswith(("file:", "data:"))])
     finally:
         browser.close()
