@@ -43,7 +43,6 @@ void skin(const SkinArguments& arguments) {
              skin.triangles.size(), area(skin), enclosed_volume(skin));
 }
 
-/// A word that CLI11's own range would take for 0, or answer with another range than it has, as nan and 0.
 }  // namespace
 
 void add_skin_command(CLI::App& app, Action& action) {

@@ -28,6 +28,13 @@
 namespace bake::cli {
 namespace {
 
+/// Is the whole text a number?
+template <class Number>
+bool reads(const std::string& text, Number& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
 constexpr const char* k_not_printed = "cannot write to the standard output";
 
 int fail(const CLI::App& app, ExitCode code, std::string message) {
@@ -119,8 +126,7 @@ int run_program(CLI::App& app, const Action& action, int count, char** words) {
 CLI::Validator whole_number(std::int64_t low, std::int64_t high) {
   const auto take = [low, high](std::string& text) -> std::string {
     std::int64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || value < low || value > high)
+    if (!reads(text, value) || value < low || value > high)
       return fmt::format("found {}, allowed: a whole number from {} to {}", text, low, high);
     text = std::to_string(value);  // without leading zeros, in which CLI11 would see base eight
     return {};
@@ -131,8 +137,7 @@ CLI::Validator whole_number(std::int64_t low, std::int64_t high) {
 CLI::Validator number(double low, double high, const char* unit) {
   const auto check = [=](std::string& text) -> std::string {
     double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc() && end == text.data() + text.size() && value >= low && value <= high) return {};
+    if (reads(text, value) && value >= low && value <= high) return {};
     return fmt::format("found {}, allowed: a number from {} to {}{}{}", text, low, high, *unit ? " " : "", unit);
   };
   return {check, ""};

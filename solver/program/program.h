@@ -42,8 +42,8 @@ void on_request(CLI::App& command, Action& action, Work work) {
 /// Takes whole numbers from `low` to `high`, in base ten: CLI11 by itself reads 010 as 8. To be given to CLI::Option::transform.
 CLI::Validator whole_number(std::int64_t low, std::int64_t high);
 
-/// Takes numbers from `low` to `high`, of the `unit` if they have one, and no NaN, which CLI::Range lets pass. To be given to
-/// CLI::Option::check.
+/// Takes numbers from `low` to `high`, of the `unit` if they have one, and no NaN, which CLI::Range lets pass, nor words, which it takes
+/// for 0. To be given to CLI::Option::check.
 CLI::Validator number(double low, double high, const char* unit = "");
 
 /// Takes every text but the empty one. To be given to CLI::Option::check.

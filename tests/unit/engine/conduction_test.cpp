@@ -4,20 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
+
+#include "tests/unit/engine/kernel_cases.h"
 
 namespace bake {
 namespace {
 
-template <class Scalar, KernelOrder k_order>
-struct Case {
-  using Real = Scalar;
-  static constexpr KernelOrder order = k_order;
-};
-
-/// W - 1 particles anywhere in the reach of one block, against sums over all nodes in long doubles.
+/// W - 1 particles anywhere in the reach of one block, against sums over all nodes in doubles.
 template <class C>
 class ConductingParticles : public testing::Test {
  public:
@@ -67,9 +63,7 @@ class ConductingParticles : public testing::Test {
   V x[3];
 };
 
-using Cases = testing::Types<Case<float, KernelOrder::quadratic>, Case<float, KernelOrder::cubic>, Case<double, KernelOrder::quadratic>,
-                             Case<double, KernelOrder::cubic>>;
-TYPED_TEST_SUITE(ConductingParticles, Cases);
+TYPED_TEST_SUITE(ConductingParticles, KernelCases);
 
 TYPED_TEST(ConductingParticles, GatherTheMomentsOfTheirNodes) {
   const auto theta = this->random_nodes(1);

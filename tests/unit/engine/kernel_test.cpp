@@ -6,14 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/unit/engine/kernel_cases.h"
+
 namespace bake {
 namespace {
-
-template <class Scalar, KernelOrder k_order>
-struct Case {
-  using Real = Scalar;
-  static constexpr KernelOrder order = k_order;
-};
 
 template <class C>
 class BSpline : public testing::Test {
@@ -45,9 +41,7 @@ class BSpline : public testing::Test {
   }
 };
 
-using Cases = testing::Types<Case<float, KernelOrder::quadratic>, Case<float, KernelOrder::cubic>, Case<double, KernelOrder::quadratic>,
-                             Case<double, KernelOrder::cubic>>;
-TYPED_TEST_SUITE(BSpline, Cases);
+TYPED_TEST_SUITE(BSpline, KernelCases);
 
 TYPED_TEST(BSpline, WeightsAreAPartitionOfUnityAndNeverNegative) {
   TestFixture::everywhere([](const auto&, const auto& s, int l) {
