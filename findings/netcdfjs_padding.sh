@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Packages: netcdfjs 4.0.0 (npm), and python3-netcdf4 1.6.2-1 to make the file.
+# Packages: netcdfjs 4.0.0 (npm), and python3-netcdf4 1.6.2-1+b1 to make the file.
 # Behaviour: netcdfjs gives the padding bytes behind bytes and shorts as values: three bytes become four, and a variable of three shorts a
 # record has four a record, in a file of netCDF-3 with more than one record variable.
 # Expected: as many values as the dimensions say. The format fills each variable, and each record of it, up to a multiple of four bytes;
 # netcdfjs counts the values by the size in bytes, which includes that. With 4-byte and 8-byte types the two agree.
-# Seen: 1, 2, 3 as bytes is read as 1, 2, 3, 129; shorts 0, 1, 2 in each of two records are read as 0, 1, 2, -32767. The additions are the
-# fill values of netCDF, so that they pass for missing data at best.
+# Seen: the bytes 1, 2, 3 are read as 1, 2, 3, 129; the shorts 0, 1, 2 in each of two records as 0, 1, 2, -32767. What is added is the fill
+# value of the type (that of bytes without its sign), so that at best it passes for missing data.
 source "$(dirname "$0")/common.sh"
 npm_packages netcdfjs@4.0.0
 debian_packages python3-netcdf4=1.6.2-1+b1
