@@ -10,6 +10,8 @@ namespace bake {
 
 namespace {
 
+constexpr double k_surveyed = 2.5;  ///< nodes that contact and the surface ask of, in node distances from a solid
+
 /// Velocity of dough that touches a surface with outward normal `n`, relative to the surface. Coulomb: friction takes as much
 /// tangential speed as `friction` times the normal speed that the surface takes.
 Vector3 contact(Vector3 relative, const Vector3& n, bool sticky, bool separating, double friction) {
@@ -20,13 +22,6 @@ Vector3 contact(Vector3 relative, const Vector3& n, bool sticky, bool separating
   const double speed = length(tangential);
   const double kept = speed > 0 ? std::max(0.0, 1 + friction * std::min(normal_speed, 0.0) / speed) : 0;
   return kept * tangential;
-}
-
-/// The integral of the quadratic B-spline from `d` on.
-double beyond(double d) {
-  const double a = std::min(std::abs(d), 1.5);
-  const double rest = a <= 0.5 ? 0.5 - a * (0.75 - a * a / 3) : (1.5 - a) * (1.5 - a) * (1.5 - a) / 6;
-  return d > 0 ? rest : 1 - rest;
 }
 
 }  // namespace
@@ -46,7 +41,8 @@ Contacts::Contacts(const Scene& scene, const GridGeometry& geometry)
                     c.temperature_C,
                     c.heat_transfer_coefficient_W_per_m2K,
                     path.moves() ? path.largest_speed(c.shape->bounds(), domain) : 0,
-                    c.ledger ? givers++ : -1});
+                    c.ledger ? givers++ : -1,
+                    {}});
   }
   for (const Grip& g : scene.grips) {
     const RigidPath path(g.motion, g.pivot_m);
@@ -58,7 +54,8 @@ Contacts::Contacts(const Scene& scene, const GridGeometry& geometry)
                     g.temperature_C,
                     0,
                     path.moves() ? path.largest_speed(g.shape->bounds(), domain) : 0,
-                    g.ledger ? givers++ : -1});
+                    g.ledger ? givers++ : -1,
+                    {}});
     holds_temperatures_ |= g.temperature_C.has_value();
   }
   int giver_at[6] = {-1, -1, -1, -1, -1, -1};
@@ -98,14 +95,19 @@ void Contacts::prepare(double time, bool at_rest) {
     if (w.temperature) w.heat.temperature = (*w.temperature)(time);
     if (w.flux) w.heat.flux = (*w.flux)(time);
   }
-  for (const Contacting& c : all_) {
+  for (Contacting& c : all_) {
     if (!c.scripted.present(time)) continue;
     RigidState pose = c.scripted.path.at(time);
     if (at_rest) pose.velocity = pose.angular_velocity = {0, 0, 0};
-    present_.push_back({&c, pose, c.scripted.bounds(pose), c.temperature ? (*c.temperature)(time) : 0});
+    present_.push_back({&c, pose, c.scripted.bounds(pose), c.temperature ? (*c.temperature)(time) : 0, c.survey.stands_at(pose)});
     largest_speed_ = std::max(largest_speed_, c.speed);
     expels_ |= c.expels;
   }
+}
+
+void Contacts::survey(const ActiveBlocks& active) {
+  for (const Present& p : present_)
+    if (p.stands) p.contact->survey.add(p.contact->scripted, active, geometry_, k_surveyed * geometry_.dx());
 }
 
 bool Contacts::cover_near(const BlockIndex& block, double reach) const {
@@ -147,19 +149,21 @@ bool Contacts::reaches(const Present& p, const BlockIndex& block, double reach) 
   return p.contact->scripted.distance(p.pose, middle) <= 0.87 * side + reach;
 }
 
-std::optional<double> Contacts::distance_within(const Present& p, const Point& x, double reach) {
+std::optional<double> Contacts::distance_within(const Present& p, const Place& at, double reach) {
   for (std::size_t d = 0; d < 3; ++d)  // first what costs little
-    if (x[d] > p.bounds.high[d] + reach || x[d] < p.bounds.low[d] - reach) return std::nullopt;
-  const double distance = p.contact->scripted.distance(p.pose, x);
+    if (at.x[d] > p.bounds.high[d] + reach || at.x[d] < p.bounds.low[d] - reach) return std::nullopt;
+  const auto kept = p.stands ? p.contact->survey.distance(at) : std::nullopt;
+  const double distance = kept ? *kept : p.contact->scripted.distance(p.pose, at.x);
   return distance <= reach ? std::optional(distance) : std::nullopt;
 }
 
-Vector3 Contacts::velocity_beside(const Present& p, const Point& x, const Vector3& v, const Vector3& line) {
+Vector3 Contacts::velocity_beside(const Present& p, const Point& x, const Vector3& v, const Column* column, const Vector3& line) {
   const Vector3 wall = p.pose.velocity_at(x) + line;
   const Rule rule = p.contact->rule;
   if (rule == Rule::sticky || rule == Rule::grip) return wall;
   const bool separating = rule == Rule::separating;
-  return wall + contact(v - wall, p.contact->scripted.normal(p.pose, x), false, separating, separating ? p.contact->friction : 0);
+  const Vector3 n = column ? column->normal : p.contact->scripted.normal(p.pose, x);
+  return wall + contact(v - wall, n, false, separating, separating ? p.contact->friction : 0);
 }
 
 bool Contacts::push_out(Point& x, Vector3& v, double mass, Given* given) const {
@@ -178,60 +182,44 @@ bool Contacts::push_out(Point& x, Vector3& v, double mass, Given* given) const {
   return inside;
 }
 
-std::optional<Vector3> Contacts::line(const Present& p, const Point& x, double d_0, const NodesAround& around) const {
-  const double dx = geometry_.dx(), d = d_0 / dx;
-  if (d < -2) return std::nullopt;
-  const Vector3 n = p.contact->scripted.normal(p.pose, x);
-  std::size_t axis = 0;
-  for (std::size_t d = 1; d < 3; ++d)
-    if (std::abs(n[d]) > std::abs(n[axis]) + 1e-6) axis = d;
-  const int outward = n[axis] > 0 ? 1 : -1;
-  const auto place = [&](int steps) {
-    Point y = x;
-    y[axis] += steps * outward * dx;
-    return y;
-  };
-  const auto distance = [&](int steps) { return p.contact->scripted.distance(p.pose, place(steps)) / dx; };
-  const auto node = [&](int steps) { return around.at(static_cast<int>(axis), steps * outward); };
-  constexpr int k_furthest = 6;  // from -2 dx, at |n| = 1 / sqrt(3)
-  int k = 0;
-  double distances[k_furthest + 1] = {d};  // of the nodes from this one to k
-  while (distances[k] < 1 - 1e-6 && k < k_furthest) ++k, distances[k] = distance(k);
-  const double d_k = distances[k];
-  const NodeState free = node(k);
-  if (d_k < 1 - 1e-6 || !(free.mass > 0)) return std::nullopt;
-  // what dough would leave of the column if it filled it, less what there is, in units of the mass of node k
-  double gap = 0, last = d_k;
-  for (int j = k - 1; k - j <= k_furthest; --j) {
-    const double d_j = j >= 0 ? distances[j] : distance(j);
-    if (d_j >= last || d_j < -1.5) break;
-    gap += 1 - beyond(d_j) - node(j).mass / free.mass * (1 - beyond(d_k));
-    last = d_j;
-  }
-  constexpr double k_touching = 0.1, k_too_much = -0.55;  // of a node distance; more than fits: node k is not within the dough
+std::optional<Vector3> Contacts::line(const Present& p, const Point& x, const Column& column, const NodesAround& around) const {
+  const auto node = [&](int j) { return around.at(column.axis, j * column.outward); };
+  if (column.free < 0) return std::nullopt;
+  const NodeState free = node(column.free);
+  if (!(free.mass > 0)) return std::nullopt;
+  // what dough would leave of the column if it filled it, less what there is, in units of the mass of the free node
+  double gap = 0;
+  for (int i = 0; i < column.count; ++i)
+    gap += column.filled[static_cast<std::size_t>(i)] - node(column.free - 1 - i).mass / free.mass * column.free_filled;
+  constexpr double k_touching = 0.1, k_too_much = -0.55;  // of a node distance; more than fits: the free node is not within the dough
   if (!(gap < k_touching && gap > k_too_much)) return std::nullopt;
-  return (d / d_k) * (free.velocity - p.pose.velocity_at(place(k)));
+  Point place = x;
+  place[static_cast<std::size_t>(column.axis)] += column.free * column.outward * geometry_.dx();
+  return column.share * (free.velocity - p.pose.velocity_at(place));
 }
 
 template <bool tells>
-Vector3 Contacts::after_all(const Point& x, Vector3 v, const NodesAround* around, [[maybe_unused]] double mass,
+Vector3 Contacts::after_all(const Place& at, Vector3 v, const NodesAround* around, [[maybe_unused]] double mass,
                             [[maybe_unused]] Given* given) const {
   [[maybe_unused]] const auto tell = [&](int giver, const Vector3& before) {
     if (giver >= 0) given[giver].impulse = given[giver].impulse + mass * (v - before);
   };
   for (const Present& p : present_) {
-    const bool between_nodes = around && p.contact->rule != Rule::grip && !p.contact->expels;
-    const auto d = distance_within(p, x, between_nodes ? (1 - 1e-6) * geometry_.dx() : touching());
+    const bool between_nodes = around && p.contact->has_columns();
+    const auto d = distance_within(p, at, between_nodes ? (1 - 1e-6) * geometry_.dx() : touching());
     if (!d) continue;
+    const Column* column = p.stands ? p.contact->survey.column(at) : nullptr;
+    std::optional<Column> found;
+    if (between_nodes && !column) column = &found.emplace(find_column(p.contact->scripted, p.pose, at.x, *d, geometry_.dx()));
     [[maybe_unused]] const Vector3 before = v;
-    if (const auto on_line = between_nodes ? line(p, x, *d, *around) : std::nullopt)
-      v = velocity_beside(p, x, v, *on_line);
+    if (const auto on_line = between_nodes ? line(p, at.x, *column, *around) : std::nullopt)
+      v = velocity_beside(p, at.x, v, column, *on_line);
     else if (*d <= touching())
-      v = velocity_beside(p, x, v);
+      v = velocity_beside(p, at.x, v, column);
     if constexpr (tells) tell(p.contact->giver, before);
   }
   for (const FaceOfDomain& f : faces_) {
-    if (f.distance(x) > touching()) continue;
+    if (f.distance(at.x) > touching()) continue;
     Vector3 n{0, 0, 0};
     n[static_cast<std::size_t>(f.axis)] = f.sign;
     [[maybe_unused]] const Vector3 before = v;
@@ -240,43 +228,43 @@ Vector3 Contacts::after_all(const Point& x, Vector3 v, const NodesAround* around
   }
   return v;
 }
-template Vector3 Contacts::after_all<false>(const Point&, Vector3, const NodesAround*, double, Given*) const;
-template Vector3 Contacts::after_all<true>(const Point&, Vector3, const NodesAround*, double, Given*) const;
+template Vector3 Contacts::after_all<false>(const Place&, Vector3, const NodesAround*, double, Given*) const;
+template Vector3 Contacts::after_all<true>(const Place&, Vector3, const NodesAround*, double, Given*) const;
 
-std::optional<ContactHeat> Contacts::covering(const Point& x, const std::optional<Vector3>& n, double reach) const {
+std::optional<ContactHeat> Contacts::covering(const Place& at, const std::optional<Vector3>& n, double reach) const {
   for (const Present& p : present_) {
-    const auto d = p.contact->covers ? distance_within(p, x, reach) : std::nullopt;
+    const auto d = p.contact->covers ? distance_within(p, at, reach) : std::nullopt;
     if (!d) continue;
     if (n) {
-      const bool ahead =
-          *d - p.contact->scripted.distance(p.pose, x + reach * *n) >= reach / 2 || dot(p.contact->scripted.normal(p.pose, x), *n) <= -0.5;
+      const bool ahead = *d - p.contact->scripted.distance(p.pose, at.x + reach * *n) >= reach / 2 ||
+                         dot(p.contact->scripted.normal(p.pose, at.x), *n) <= -0.5;
       if (!ahead) continue;  // the surface looks elsewhere
     }
     if (!p.contact->temperature) return ContactHeat{};
     return ContactHeat{p.contact->heat_transfer_coefficient, p.temperature, 0, p.contact->giver};
   }
   for (const Wall& w : walls_)
-    if (w.distance(x) <= reach && (!n || w.sign * (*n)[static_cast<std::size_t>(w.axis)] <= -0.5)) return w.heat;
+    if (w.distance(at.x) <= reach && (!n || w.sign * (*n)[static_cast<std::size_t>(w.axis)] <= -0.5)) return w.heat;
   return std::nullopt;
 }
 
-double Contacts::room(const Point& x) const {
+double Contacts::room(const Place& at) const {
   double room = 1;
   const auto take = [&](double distance) {
     const double d = distance / geometry_.dx();
-    room *= 1 - (beyond(d - 1) + 2 * beyond(d) + beyond(d + 1)) / 4;
+    room *= 1 - (spline_beyond(d - 1) + 2 * spline_beyond(d) + spline_beyond(d + 1)) / 4;
   };
   for (const Present& p : present_)
-    if (const auto distance = p.contact->covers ? distance_within(p, x, 2.5 * geometry_.dx()) : std::nullopt) take(*distance);
-  for (const Wall& w : walls_) take(w.distance(x));
+    if (const auto distance = p.contact->covers ? distance_within(p, at, k_surveyed * geometry_.dx()) : std::nullopt) take(*distance);
+  for (const Wall& w : walls_) take(w.distance(at.x));
   return room;
 }
 
-std::optional<HeldNear> Contacts::held_near(const Point& x, double reach) const {
+std::optional<HeldNear> Contacts::held_near(const Place& at, double reach) const {
   std::optional<HeldNear> nearest;
   for (const Present& p : present_) {
     if (p.contact->rule != Rule::grip || !p.contact->temperature) continue;
-    const auto distance = distance_within(p, x, reach + touching());
+    const auto distance = distance_within(p, at, reach + touching());
     if (distance && (!nearest || *distance < nearest->distance)) nearest = {p.temperature, *distance};
   }
   return nearest;
@@ -288,6 +276,12 @@ double Contacts::next_event(double time) const {
     for (const double t : {c.scripted.from_s, c.scripted.until_s})
       if (t > time) next = std::min(next, t);
   return next;
+}
+
+std::size_t Contacts::bytes() const {
+  std::size_t bytes = 0;
+  for (const Contacting& c : all_) bytes += c.survey.bytes();
+  return bytes;
 }
 
 }  // namespace bake

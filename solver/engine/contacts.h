@@ -9,6 +9,7 @@
 #include "solver/boundary/obstacles.h"
 #include "solver/boundary/scripted.h"
 #include "solver/engine/engine_types.h"
+#include "solver/engine/survey.h"
 #include "solver/grid/grid.h"
 
 namespace bake {
@@ -53,6 +54,8 @@ class Contacts final : public Obstacles {
 
   /// Fixes all poses for a step that begins at `time`; `at_rest`: as they are then, and none moves on.
   void prepare(double time, bool at_rest = false);
+  /// Finds what contact asks of the nodes of those blocks, where solids stand still and it is not known yet.
+  void survey(const ActiveBlocks& active);
   /// Does anything touch the block or lie within `reach` of it?
   bool near(const BlockIndex& block, double reach) const;
   /// Does a collider lie within `reach` of the block?
@@ -75,30 +78,31 @@ class Contacts final : public Obstacles {
   /// only nodes inside moved, with the velocity of the collider, the last layer of dough, which nothing holds but the next node inside,
   /// would be squashed before the rest is pressed. Whether dough touches is known from the mass of the column's nodes beside that of node
   /// k.
-  Vector3 velocity_after(const Point& x, Vector3 v, const NodesAround* around = nullptr) const {
-    return after_all<false>(x, v, around, 0, nullptr);
+  Vector3 velocity_after(const Place& at, Vector3 v, const NodesAround* around = nullptr) const {
+    return after_all<false>(at, v, around, 0, nullptr);
   }
   /// The same of a node of the mass `mass`; adds to `given` what each of givers_of(scene) gave.
-  Vector3 velocity_after(const Point& x, Vector3 v, const NodesAround* around, double mass, Given* given) const {
-    return after_all<true>(x, v, around, mass, given);
+  Vector3 velocity_after(const Place& at, Vector3 v, const NodesAround* around, double mass, Given* given) const {
+    return after_all<true>(at, v, around, mass, given);
   }
   /// All nodes that contact with a collider depends on are no further from it than this [m].
   double reach_beside_colliders() const { return 2.1 * geometry_.dx(); }
-  /// Does a solid that covers, or a face that passes heat, stand within `reach` of a surface at `x`, in front of its outward normal `n` if
-  /// that is known: does its nearest face look against n, or is a face nearer by reach / 2 if one goes that far along n, as where walls
+  /// Does a solid that covers, or a face that passes heat, stand within `reach` of a surface at a place, in front of its outward normal `n`
+  /// if that is known: does its nearest face look against n, or is a face nearer by reach / 2 if one goes that far along n, as where walls
   /// meet? Its heat, zero if it gives none.
-  std::optional<ContactHeat> covering(const Point& x, const std::optional<Vector3>& n, double reach) const;
-  /// The share that colliders which cover and faces that pass heat leave to the dough of what is averaged into phi~ at `x` (surface.h): 1
+  std::optional<ContactHeat> covering(const Place& at, const std::optional<Vector3>& n, double reach) const;
+  /// The share that colliders which cover and faces that pass heat leave to the dough of what is averaged into phi~ there (surface.h): 1
   /// from 2.5 dx on, one half on the face of one, 0 inside. Grips take nothing, since they hold dough.
-  double room(const Point& x) const;
-  /// The nearest grip that holds a temperature, if one is within `reach` of `x`; distances in it are negative.
-  std::optional<HeldNear> held_near(const Point& x, double reach) const;
+  double room(const Place& at) const;
+  /// The nearest grip that holds a temperature, if one is within `reach`; distances in it are negative.
+  std::optional<HeldNear> held_near(const Place& at, double reach) const;
   bool has_colliders() const { return has_colliders_; }
   bool holds_temperatures() const { return holds_temperatures_; }
   /// Fastest collider or grip at present [m/s].
   double largest_speed() const { return largest_speed_; }
   /// First time after `time` at which something appears or goes.
   double next_event(double time) const;
+  std::size_t bytes() const;
 
  private:
   enum class Rule { sticky, slip, separating, grip };
@@ -112,22 +116,27 @@ class Contacts final : public Obstacles {
     double heat_transfer_coefficient;
     double speed;  ///< largest in the domain over its whole path [m/s]
     int giver;     ///< its number among givers_of(scene), or -1
+    Survey survey;
+    /// Does its face lie between nodes for those beside it (see velocity_after)?
+    bool has_columns() const { return rule != Rule::grip && !expels; }
   };
   struct Present {
-    const Contacting* contact;
+    Contacting* contact;
     RigidState pose;
     Box3 bounds;
     double temperature;
+    bool stands;  ///< as in the step before
   };
   template <bool tells>
-  Vector3 after_all(const Point& x, Vector3 v, const NodesAround* around, double mass, Given* given) const;
+  Vector3 after_all(const Place& at, Vector3 v, const NodesAround* around, double mass, Given* given) const;
   bool reaches(const Present& present, const BlockIndex& block, double reach) const;
-  /// Distance of `x` from it, negative inside; none if that is more than `reach`.
-  static std::optional<double> distance_within(const Present& present, const Point& x, double reach);
-  /// `line`: the velocity relative to the solid that dough has there which touches it.
-  static Vector3 velocity_beside(const Present& present, const Point& x, const Vector3& v, const Vector3& line = {0, 0, 0});
-  /// That line at a node at the distance `d_0` [m], none if no dough touches the collider there.
-  std::optional<Vector3> line(const Present& present, const Point& x, double d_0, const NodesAround& around) const;
+  /// Distance of a place from it, negative inside; none if that is more than `reach`.
+  static std::optional<double> distance_within(const Present& present, const Place& at, double reach);
+  /// `column`: of the place, if that is known. `line`: the velocity relative to the solid that dough has there which touches it.
+  static Vector3 velocity_beside(const Present& present, const Point& x, const Vector3& v, const Column* column = nullptr,
+                                 const Vector3& line = {0, 0, 0});
+  /// That line at a node, none if no dough touches the collider there.
+  std::optional<Vector3> line(const Present& present, const Point& x, const Column& column, const NodesAround& around) const;
   /// A node this close to a solid is in it: faces are often drawn through nodes, whose positions are rounded [m].
   double touching() const { return 1e-6 * geometry_.dx(); }
 

@@ -201,7 +201,7 @@ std::size_t Engine<Real>::bytes() const {
   return store_.data.bytes() + spare_.data.bytes() + scattered_.bytes() + spare_rows_.bytes() + gathered_.bytes() + sampled_.bytes() +
          (store_.tiles.capacity() + spare_.tiles.capacity()) * sizeof(Tile) +
          (store_.blocks.capacity() + spare_.blocks.capacity()) * sizeof(HomeBlock) + active_.slot_of.capacity() * sizeof(std::int32_t) +
-         surface_.bytes();
+         surface_.bytes() + contacts_.bytes();
 }
 
 template class Engine<float>;

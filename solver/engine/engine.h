@@ -82,7 +82,7 @@ class Engine {
   void update_grid();
   void update_block(std::size_t slot, const Air& air, const Step<Real>& step, Budget& booked);
   Given* given_in(std::size_t slot) { return block_given_.data() + slot * given_.size(); }
-  Vector3 touched(std::size_t slot, int node, const NodeSums<Real>* sums, const Point& x, const Vector3& v, const NodesAround* around);
+  Vector3 touched(std::size_t slot, int node, const NodeSums<Real>* sums, const Vector3& v, const NodesAround* around);
   template <class Power>
   void tell_heat(Power power);
   double face_beyond_grip() const;

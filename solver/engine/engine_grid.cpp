@@ -69,6 +69,7 @@ template <class Real>
 void Engine<Real>::update_grid() {
   const Step<Real> step = current_step();
   active_.find_touched(store_.blocks);
+  contacts_.survey(active_);
   Air air;
   if (physics_->needs_surface) {
     air = {scene_.oven.heat_transfer_coefficient_W_per_m2K(time_), scene_.oven.temperature_C(time_),
@@ -160,7 +161,7 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
   if (settling_.now) damp(s, sums, out, booked);
   beside_collider_[s] = physics_->moves && contacts_.collider_near(active_.at[s], contacts_.reach_beside_colliders());
   if (physics_->moves && at_contact && !beside_collider_[s])
-    change_velocities(s, sums, out, booked, [&](int n, const Point& x, const Vector3& v) { return touched(s, n, sums, x, v, nullptr); });
+    change_velocities(s, sums, out, booked, [&](int n, const Point&, const Vector3& v) { return touched(s, n, sums, v, nullptr); });
   for (std::size_t pack = 0; pack < k_packs<Real>; ++pack) kernel_->put_nodes(out[pack], rows + pack * W * RG);
   if (physics_->moves && !beside_collider_[s]) book_momentum(s, sums, out, dv, booked);
   if (beside_collider_[s] || (physics_->implicit_heat && physics_->moves_mass))
@@ -176,11 +177,11 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
 
 /// The velocity of a node after contact. What its givers gave is noted, if the ledger wants to know.
 template <class Real>
-Vector3 Engine<Real>::touched(std::size_t slot, int node, const NodeSums<Real>* sums, const Point& x, const Vector3& v,
-                              const NodesAround* around) {
-  if (given_.empty()) return contacts_.velocity_after(x, v, around);
+Vector3 Engine<Real>::touched(std::size_t slot, int node, const NodeSums<Real>* sums, const Vector3& v, const NodesAround* around) {
+  const Place at(geometry_, active_.at[slot], node);
+  if (given_.empty()) return contacts_.velocity_after(at, v, around);
   const Real mass = sums[node / k_width<Real>].inertia[node % k_width<Real>];
-  return contacts_.velocity_after(x, v, around, static_cast<double>(mass), given_in(slot));
+  return contacts_.velocity_after(at, v, around, static_cast<double>(mass), given_in(slot));
 }
 
 /// Heat of the givers: power(transfer, its source, theta, its change in this step) [W] at each node before them. Where a grip holds the
@@ -274,9 +275,9 @@ void Engine<Real>::touch_colliders() {
     for (std::size_t n = 0; n < k_block_nodes; ++n)
       for (std::size_t d = 0; d < 3; ++d) nodes[n / W][d][n % W] = rows_of(s)[n * RG + d];
     const NodeSums<Real>* sums = &sums_[s * k_packs<Real>];
-    change_velocities(s, sums, nodes, block_budgets_[s], [&](int n, const Point& x, const Vector3& v) {
+    change_velocities(s, sums, nodes, block_budgets_[s], [&](int n, const Point&, const Vector3& v) {
       const Around around(*this, s, n);
-      return touched(s, n, sums, x, v, &around);
+      return touched(s, n, sums, v, &around);
     });
     find_fall(dv);
     book_momentum(s, sums, nodes, dv, block_budgets_[s]);
@@ -326,7 +327,7 @@ template <class Real>
 bool Engine<Real>::is_held(std::size_t slot, int node) const {
   if (!contacts_.holds_temperatures()) return false;
   const double reach = (face_beyond_grip() + 1e-6) * geometry_.dx();
-  const auto held = contacts_.held_near(node_position(geometry_.origin(active_.at[slot]), geometry_.dx(), node), reach);
+  const auto held = contacts_.held_near(Place(geometry_, active_.at[slot], node), reach);
   return held && held->distance <= reach;
 }
 
@@ -335,7 +336,7 @@ void Engine<Real>::hold_temperatures(std::size_t slot, int first, const Lanes<Re
   const bool conducts = physics_->conductivity_channel >= 0;
   const double dx = geometry_.dx(), d_0 = face_beyond_grip();
   for (int l = 0; l < k_width<Real>; ++l) {
-    const auto held = contacts_.held_near(node_position(geometry_.origin(active_.at[slot]), dx, first + l), conducts ? (1 + d_0) * dx : 0);
+    const auto held = contacts_.held_near(Place(geometry_, active_.at[slot], first + l), conducts ? (1 + d_0) * dx : 0);
     if (!held) continue;
     const double s = held->distance / dx;
     if (s <= d_0 + 1e-6) {
@@ -431,21 +432,21 @@ void Engine<Real>::change_velocities(std::size_t slot, const NodeSums<Real>* sum
 }
 
 // All of them: the extern template of the class keeps a compiler from making one where it is called.
-#define BAKE_INSTANTIATE(Real)                                                                                                       \
-  template void Engine<Real>::update_grid();                                                                                         \
-  template void Engine<Real>::update_block(std::size_t, const Air&, const Step<Real>&, Budget&);                                     \
-  template void Engine<Real>::touch_colliders();                                                                                     \
-  template void Engine<Real>::find_fall(Lanes<Real>(&)[3]) const;                                                                    \
-  template void Engine<Real>::damp(std::size_t, const NodeSums<Real>*, Lanes<Real>(*)[k_most_channels], Budget&) const;              \
-  template Vector3 Engine<Real>::touched(std::size_t, int, const NodeSums<Real>*, const Point&, const Vector3&, const NodesAround*); \
-  template double Engine<Real>::face_beyond_grip() const;                                                                            \
-  template bool Engine<Real>::is_held(std::size_t, int) const;                                                                       \
-  template bool Engine<Real>::is_empty(const Real*) const;                                                                           \
-  template Surroundings<Real> Engine<Real>::surroundings(int, const BlockSurroundings<Real>*, const Air&);                           \
-  template void Engine<Real>::hold_temperatures(std::size_t, int, const Lanes<Real>*, Surroundings<Real>&) const;                    \
-  template void Engine<Real>::book_momentum(std::size_t, const NodeSums<Real>*, const Lanes<Real>(*)[k_most_channels],               \
-                                            const Lanes<Real>(&)[3], Budget&) const;                                                 \
-  template void Engine<Real>::measure_published_surface(const Air&);                                                                 \
+#define BAKE_INSTANTIATE(Real)                                                                                          \
+  template void Engine<Real>::update_grid();                                                                            \
+  template void Engine<Real>::update_block(std::size_t, const Air&, const Step<Real>&, Budget&);                        \
+  template void Engine<Real>::touch_colliders();                                                                        \
+  template void Engine<Real>::find_fall(Lanes<Real>(&)[3]) const;                                                       \
+  template void Engine<Real>::damp(std::size_t, const NodeSums<Real>*, Lanes<Real>(*)[k_most_channels], Budget&) const; \
+  template Vector3 Engine<Real>::touched(std::size_t, int, const NodeSums<Real>*, const Vector3&, const NodesAround*);  \
+  template double Engine<Real>::face_beyond_grip() const;                                                               \
+  template bool Engine<Real>::is_held(std::size_t, int) const;                                                          \
+  template bool Engine<Real>::is_empty(const Real*) const;                                                              \
+  template Surroundings<Real> Engine<Real>::surroundings(int, const BlockSurroundings<Real>*, const Air&);              \
+  template void Engine<Real>::hold_temperatures(std::size_t, int, const Lanes<Real>*, Surroundings<Real>&) const;       \
+  template void Engine<Real>::book_momentum(std::size_t, const NodeSums<Real>*, const Lanes<Real>(*)[k_most_channels],  \
+                                            const Lanes<Real>(&)[3], Budget&) const;                                    \
+  template void Engine<Real>::measure_published_surface(const Air&);                                                    \
   template Lanes<Real> Engine<Real>::temperatures(std::size_t, int) const;
 BAKE_INSTANTIATE(float)
 BAKE_INSTANTIATE(double)

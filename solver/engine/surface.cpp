@@ -311,12 +311,11 @@ void FreeSurfaceMeasure<Real>::smooth(std::size_t s, const ActiveBlocks& active,
   blocks_[s].is_empty = empty == k_block_nodes;
   if (blocks_[s].is_empty || !contacts.cover_near(active.at[s], k_reach * dx)) return;
   blocks_[s].is_beside = true;
-  const Point origin = geometry.origin(active.at[s]);
   for (std::size_t k = 0; k < k_block_nodes; ++k) {
     const Real phi = smooth_[s][k];
     filled_[s][k] = phi;
     if (phi < k_no_dough || phi >= 1) continue;
-    const double room = std::max(contacts.room(node_position(origin, dx, static_cast<int>(k))), k_least_room);
+    const double room = std::max(contacts.room(Place(geometry, active.at[s], static_cast<int>(k))), k_least_room);
     filled_[s][k] = std::min(phi / static_cast<Real>(room), Real(1));
   }
 }
@@ -328,7 +327,6 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
   const auto is_full = [&](std::int32_t slot) { return slot >= 0 && blocks_[static_cast<std::size_t>(slot)].is_full; };
   if (blocks_[s].is_empty || std::all_of(active.around[s].begin(), active.around[s].end(), is_full)) return;
   const double dx = geometry.dx();
-  const Point origin = geometry.origin(active.at[s]);
   // from phi of the nodes around; visit(node, heat of the solid in front of it) where there is a surface
   const auto measure = [&](auto phi_of, Nodes& r, Nodes& bend, auto visit) {
     Halo<Real, k_narrow> psi;
@@ -355,7 +353,7 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
       const auto [x, y, z] = coordinates_in_block(static_cast<int>(k));
       const int i = halo_index<k_narrow>(x, y, z);
       const Vector3 inward{double(g.along[0].at[i]), double(g.along[1].at[i]), double(g.along[2].at[i])};
-      visit(k, contacts.covering(node_position(origin, dx, static_cast<int>(k)), (-1 / length(inward)) * inward, k_reach * dx));
+      visit(k, contacts.covering(Place(geometry, active.at[s], static_cast<int>(k)), (-1 / length(inward)) * inward, k_reach * dx));
     }
   };
   Nodes &r = density_[s], &bend = bend_[s];
