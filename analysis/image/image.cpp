@@ -111,7 +111,8 @@ void draw_text(Image& image, const std::string& text, int x, int y, int size, An
   const vtkNew<vtkImageData> drawn = rendered(text, size), letter = rendered("H", size);
   const Box box(drawn);
   const int middle = middle_row(letter), wide = box.right - box.left + 1;
-  const int start = anchor == Anchor::left ? x : anchor == Anchor::right ? x - wide : x - wide / 2;
+  const int wanted = anchor == Anchor::left ? x : anchor == Anchor::right ? x - wide : x - wide / 2;
+  const int margin = size / 4, start = std::max(margin, std::min(wanted, image.width - wide - margin));
   const auto colour = pixel(srgb);
   for (int row = box.bottom; row <= box.top; ++row) {  // from below; every text of one size has its baseline in the same row
     const int to_y = y + middle - row;

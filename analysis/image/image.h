@@ -36,8 +36,8 @@ Image scaled(const Image& image, int width, int height);
 /// Where a text is anchored, horizontally; vertically it is always its middle.
 enum class Anchor { left, centre, right };
 
-/// Draws one line of text, `size` pixels high from descent to ascent, with its middle at y and its anchor at x. ASCII: VTK leaves out other
-/// letters.
+/// Draws one line of text, `size` pixels high from descent to ascent, with its middle at y and its anchor at x, or as near to x as it must
+/// be to lie within the image. ASCII: VTK leaves out other letters.
 void draw_text(Image& image, const std::string& text, int x, int y, int size, Anchor anchor, const Colour& srgb);
 
 /// Writes a PNG, completely or not at all; the same image gives the same bytes. Throws OutputError.

@@ -308,6 +308,22 @@ TEST(Images, TextIsDrawnAroundItsMiddle) {
   }
 }
 
+/// A label that is wider than its bar, in a corner of a narrow picture, once lost its first letter.
+TEST(Images, TextNearABorderIsWhole) {
+  const auto ink = [](Anchor anchor, int x) {
+    Image image(200, 60, Colour::Ones());
+    draw_text(image, "temperature", x, 30, 20, anchor, Colour::Zero());
+    double sum = 0;
+    for (const auto& p : image.pixels) sum += 255.0 - p[0];
+    return sum;
+  };
+  const double whole = ink(Anchor::centre, 100);
+  EXPECT_EQ(ink(Anchor::centre, 20), whole);
+  EXPECT_EQ(ink(Anchor::centre, 190), whole);
+  EXPECT_EQ(ink(Anchor::right, 10), whole);
+  EXPECT_EQ(ink(Anchor::left, 150), whole);
+}
+
 /// Letters that hang below the line, or start left of their place, must not move it.
 TEST(Images, TextKeepsItsLine) {
   const auto lowest_of_h = [](const std::string& text) {
