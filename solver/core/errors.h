@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The three ways in which a program of Bake fails. Each carries one line for people and decides the exit code.
+// The ways in which a program of Bake fails. Each carries one line for people and decides the exit code.
 #pragma once
 
 #include <stdexcept>
@@ -16,6 +16,12 @@ class InputError : public std::runtime_error {
 class OutputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+};
+
+/// The same of a file that was begun: the disk is full, or fails.
+class UnfinishedOutputError : public OutputError {
+ public:
+  using OutputError::OutputError;
 };
 
 /// A run or another piece of work cannot go on: names particle, quantity and step, or what else failed. What was written before is kept.

@@ -6,14 +6,15 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <string>
 #include <system_error>
 #include <utility>
 
 namespace bake {
 namespace {
 
-OutputError output_error(const std::filesystem::path& file, const char* failed, int reason) {
-  return OutputError(fmt::format("{}: {}: {}", file.string(), failed, std::generic_category().message(reason)));
+std::string failure(const std::filesystem::path& file, const char* failed, int reason) {
+  return fmt::format("{}: {}: {}", file.string(), failed, std::generic_category().message(reason));
 }
 
 /// Repeats a system call that a signal interrupted.
@@ -44,7 +45,7 @@ AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)
   if (there == file_type::character || there == file_type::block || there == file_type::fifo || there == file_type::socket)
     throw OutputError(fmt::format("{}: found a device or a pipe, allowed: a file", target_.string()));
   descriptor_ = ::open(aside_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) throw output_error(target_, "cannot create", errno);
+  if (descriptor_ < 0) throw OutputError(failure(target_, "cannot create", errno));
 }
 
 AtomicFile::~AtomicFile() {
@@ -83,16 +84,17 @@ void AtomicFile::resize(std::uint64_t size) noexcept {
 }
 
 void AtomicFile::check() const {
-  if (first_error_ != 0) throw output_error(target_, "cannot write", first_error_);
+  if (first_error_ != 0) throw UnfinishedOutputError(failure(target_, "cannot write", first_error_));
 }
 
 void AtomicFile::commit() {
   check();
-  if (uninterrupted([&] { return ::fsync(descriptor_); }) != 0) throw output_error(target_, "cannot flush to disk", errno);
-  if (::rename(aside_.c_str(), target_.c_str()) != 0) throw output_error(target_, "cannot put the new file in place", errno);
+  if (uninterrupted([&] { return ::fsync(descriptor_); }) != 0)
+    throw UnfinishedOutputError(failure(target_, "cannot flush to disk", errno));
+  if (::rename(aside_.c_str(), target_.c_str()) != 0) throw OutputError(failure(target_, "cannot put the new file in place", errno));
   ::close(descriptor_);
   descriptor_ = -1;
-  if (!flush_folder(target_.parent_path())) throw output_error(target_, "written, but cannot flush its folder", errno);
+  if (!flush_folder(target_.parent_path())) throw UnfinishedOutputError(failure(target_, "written, but cannot flush its folder", errno));
 }
 
 void write_text_atomically(const std::filesystem::path& path, std::string_view text) {

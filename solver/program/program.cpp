@@ -94,6 +94,8 @@ int run_and_tell_errors(CLI::App& app, const Action& action, std::vector<std::st
     return run_command_line(app, action, std::move(arguments));
   } catch (const InputError& error) {
     return fail(app, k_wrong_use, error.what());
+  } catch (const UnfinishedOutputError& error) {
+    return fail(app, k_failed_run, error.what());
   } catch (const OutputError& error) {  // a folder that cannot be written; a run that has begun throws RunError
     return fail(app, k_wrong_use, error.what());
   } catch (const RunError& error) {

@@ -31,6 +31,12 @@ TEST_F(AMesh, OfASceneBecomesItsParticles) {
   EXPECT_TRUE(std::filesystem::exists(place.folder() / "surfaces/fracture.json"));
 }
 
+/// The user has done nothing wrong, and the same command may succeed later.
+TEST_F(AMesh, ThatFindsNoRoomOnTheDiskFailsWithExitThree) {
+  expect_refused(place, "tets dough --set grid.dx_m=0.002 --out x.hdf", "x.hdf: cannot write: ", "trap '' XFSZ; ulimit -f 4;", 3);
+  for (const char* file : {"x.hdf", "x.hdf.part"}) EXPECT_FALSE(std::filesystem::exists(place.folder() / file));
+}
+
 TEST_F(AMesh, WithAMistakeIsOneLineAndExitTwo) {
   place.write("hello.stl", "hello");
   expect_refused(place, "", "no command given; commands: tets, skin, fracture");

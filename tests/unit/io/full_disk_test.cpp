@@ -85,7 +85,7 @@ class FullDisk : public testing::TestWithParam<Case> {
     GetParam().write(file, 10000);
     const auto old = contents(file);
     ASSERT_FALSE(old.empty());
-    const auto message = message_of<OutputError>(write_too_much);
+    const auto message = message_of<UnfinishedOutputError>(write_too_much);
     EXPECT_TRUE(has(message, "result: cannot write: ") && has(message, reason)) << message;
     EXPECT_EQ(contents(file), old);
     EXPECT_EQ(files_in(folder), 1u);
