@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "solver/boundary/shapes.h"
 #include "solver/engine/contacts.h"
 #include "solver/scene/scene.h"
