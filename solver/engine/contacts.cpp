@@ -107,7 +107,9 @@ void Contacts::prepare(double time, bool at_rest) {
 
 void Contacts::survey(const ActiveBlocks& active) {
   for (const Present& p : present_)
-    if (p.stands) p.contact->survey.add(p.contact->scripted, active, geometry_, k_surveyed * geometry_.dx());
+    if (p.stands)
+      p.contact->survey.add(p.contact->scripted, active, geometry_,
+                            [&](const BlockIndex& block) { return reaches(p, block, k_surveyed * geometry_.dx()); });
 }
 
 bool Contacts::cover_near(const BlockIndex& block, double reach) const {

@@ -57,18 +57,18 @@ bool Survey::stands_at(const RigidState& pose) {
   return false;
 }
 
-void Survey::add(const ScriptedShape& solid, const ActiveBlocks& active, const GridGeometry& geometry, double reach) {
+void Survey::add(const ScriptedShape& solid, const ActiveBlocks& active, const GridGeometry& geometry,
+                 const std::function<bool(const BlockIndex&)>& is_near) {
   number_.resize(geometry.block_count(), unknown);
-  const double side = 3 * geometry.dx();
   std::vector<std::size_t> fresh;
   const std::size_t before = blocks_.size();
   for (std::size_t s = 0; s < active.at.size(); ++s) {
     std::int32_t& number = number_[geometry.linear(active.at[s])];
     if (number != unknown) continue;
-    const Point middle = geometry.origin(active.at[s]) + Vector3{side / 2, side / 2, side / 2};
-    const bool is_near = solid.distance(*pose_, middle) <= 0.87 * side + reach;
-    number = is_near ? static_cast<std::int32_t>(before + fresh.size()) : far;
-    if (is_near) fresh.push_back(s);
+    number = far;
+    if (!is_near(active.at[s])) continue;
+    number = static_cast<std::int32_t>(before + fresh.size());
+    fresh.push_back(s);
   }
   if (fresh.empty()) return;
   blocks_.resize(before + fresh.size());

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -49,8 +50,9 @@ class Survey {
  public:
   /// Forgets everything if the pose is not that of the last call. Returns whether it is.
   bool stands_at(const RigidState& pose);
-  /// Surveys those of the blocks that are new and within `reach` [m] of the solid. Parallel over blocks.
-  void add(const ScriptedShape& solid, const ActiveBlocks& active, const GridGeometry& geometry, double reach);
+  /// Surveys those of the blocks that are new and near the solid. Parallel over blocks.
+  void add(const ScriptedShape& solid, const ActiveBlocks& active, const GridGeometry& geometry,
+           const std::function<bool(const BlockIndex&)>& is_near);
   /// Distance of a node [m]; none if that is not kept.
   std::optional<double> distance(const Place& at) const {
     const Block* block = block_of(at);
