@@ -244,11 +244,13 @@ Figure read_figure(const fs::path& file, const ComputedNames& computed) {
   const Document document{file.string(), file.parent_path()};
   const toml::table table = parse_toml(read_text_file(file), document.name);
   const SceneEntry root(document, table);
-  root.refuse_unknown({"title", "shows", "run", "surface", "picture", "montage", "object", "measured", "chart", "claim", "blessed"});
+  root.refuse_unknown(
+      {"title", "shows", "timed", "run", "surface", "picture", "montage", "object", "measured", "chart", "claim", "blessed"});
   Figure figure;
   figure.file = file;
   figure.title = required_text(root, "title");
   figure.shows = required_text(root, "shows");
+  if (const auto timed = root.find("timed")) figure.timed = read_truth(*timed);
   read_tables(root, "run", &Figure::runs, figure, computed);
   read_tables(root, "surface", &Figure::surfaces, figure, computed);
   read_tables(root, "picture", &Figure::pictures, figure, computed);

@@ -33,7 +33,7 @@ struct FigureSurface {
   std::string run;
   double reference_time_s = 0;
   std::vector<double> times_s;
-  std::optional<double> stretch, smallest_gap_m, void_ratio;
+  std::optional<double> stretch, smallest_gap_m, void_ratio, smallest_crack;
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"name", &FigureSurface::name, "", any_number, "what claims and pictures call it", Presence::required},
@@ -48,6 +48,8 @@ struct FigureSurface {
         Parameter{
             "void_ratio", &FigureSurface::void_ratio, "1", Range{1, k_infinity, true, true, "a number above 1"},
             "an edge breaks only if also the tetrahedra around it hold this many times the volume of their dough; not asked unless given"},
+        Parameter{"smallest_crack", &FigureSurface::smallest_crack, "dx^2", non_negative,
+                  "cracks smaller than this many faces of a cell of the run's grid stay closed; none unless given"},
     };
   }
 };
@@ -192,7 +194,8 @@ struct FigureObject {
 struct Figure {
   std::filesystem::path file;
   std::string title;
-  std::string shows;  ///< what the paper claims
+  std::string shows;   ///< what the paper claims
+  bool timed = false;  ///< how long its runs take is what it tells: none goes beside another
   std::vector<FigureRun> runs;
   std::vector<FigureSurface> surfaces;
   std::vector<FigurePicture> pictures;

@@ -36,6 +36,7 @@ std::vector<std::string> fracture_arguments(const FigurePaths& paths, const Figu
   if (surface.stretch) words.insert(words.end(), {"--stretch", fmt::format("{}", *surface.stretch)});
   if (surface.smallest_gap_m) words.insert(words.end(), {"--smallest-gap", fmt::format("{}", *surface.smallest_gap_m)});
   if (surface.void_ratio) words.insert(words.end(), {"--void-ratio", fmt::format("{}", *surface.void_ratio)});
+  if (surface.smallest_crack) words.insert(words.end(), {"--smallest-crack", fmt::format("{}", *surface.smallest_crack)});
   return words;
 }
 

@@ -40,15 +40,17 @@ fs::path find_program(const std::string& name) {
   return program;
 }
 
-void call_program(const std::string& name, const std::vector<std::string>& arguments, const fs::path& log, bool quiet) {
+void call_program(const std::string& name, const std::vector<std::string>& arguments, const fs::path& log, bool quiet,
+                  const std::string& doing) {
   const fs::path program = find_program(name);
+  const std::string& called = doing.empty() ? name : doing;
   fs::create_directories(log.parent_path());
   std::vector<std::string> words = arguments;
   words.insert(words.begin(), program.string());
   static std::mutex telling;
   const std::unique_lock tells(telling, std::try_to_lock);
   quiet = quiet || !tells;
-  Meter meter(name, progress_on_stderr(quiet));
+  Meter meter(called, progress_on_stderr(quiet));
   std::string told;
   double told_s = steady_seconds();
   const auto tell = [&] {  // on a terminal at once, in a log now and then
@@ -66,8 +68,8 @@ void call_program(const std::string& name, const std::vector<std::string>& argum
   std::string line = last_line(log);
   for (const auto& own : {name + ": ", std::string("bake: ")})  // the message names the program already
     if (line.starts_with(own)) line.erase(0, own.size());
-  if (code == 2) throw InputError(fmt::format("{}: {}", name, line));
-  throw RunError(fmt::format("{}: exit {}: {} (log: {})", name, code, line.empty() ? "no message" : line, log.string()));
+  if (code == 2) throw InputError(fmt::format("{}: {}", called, line));
+  throw RunError(fmt::format("{}: exit {}: {} (log: {})", called, code, line.empty() ? "no message" : line, log.string()));
 }
 
 }  // namespace bake

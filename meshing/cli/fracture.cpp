@@ -40,6 +40,13 @@ void add_fracture_command(CLI::App& app, Action& action) {
                   "... and if the tetrahedra around it hold this many times the volume of their dough [not asked]")
       ->type_name("R")
       ->check(number(1, 1e6));
+  command
+      .add_option(
+          "--smallest-crack", options->smallest_crack,
+          "cracks stay closed that are smaller than this many faces of a cell of the run's grid, dx^2 each: below 1 no grid resolves "
+          "them [0]")
+      ->type_name("FACES")
+      ->check(number(0, 1e6));
   command.add_option("--first-particle", options->first_particle, "identity of the particle that is vertex 0 [0]")
       ->type_name("N")
       ->transform(whole_number(0, std::int64_t{1} << 40));

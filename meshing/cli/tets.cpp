@@ -25,10 +25,10 @@ struct TetsArguments {
   std::string method = "auto";
 };
 
-std::size_t vertices_of(const Source& source, const TetsArguments& arguments) {
+std::size_t vertices_of(const Source& source, const TetsArguments& arguments, double volume_m3) {
   if (arguments.vertices > 0) return arguments.vertices;
   if (source.surface) throw InputError("--vertices is required with a surface: it has no particles per cell");
-  return static_cast<std::size_t>(std::llround(solid_volume(*source.solid) / std::pow(source.particle_spacing_m, 3)));
+  return static_cast<std::size_t>(std::llround(volume_m3 / std::pow(source.particle_spacing_m, 3)));
 }
 
 /// How a mesh compares with what was asked for.
@@ -95,7 +95,7 @@ TetMesh mesh3_or_lattice(const Source& source, const Aim& aim, const Tell& tell,
   const bool has_edges = with_edges != nullptr && !with_edges->tets.empty();
   TetMesh lattice;
   try {
-    lattice = lattice_tets(*source.solid, aim.vertices, tell);
+    lattice = lattice_tets(*source.solid, aim.volume_m3, aim.vertices, tell);
   } catch (const InputError& error) {
     if (!has_edges || !aim.judge(*with_edges).has_count()) throw InputError(fmt::format("lattice: {}; mesh3: {}", error.what(), complaint));
     return std::move(*with_edges);
@@ -112,7 +112,7 @@ TetMesh make_tets(const Source& source, const TetsArguments& arguments, const Ai
       source.surface && (arguments.method == "mesh3" || (arguments.method == "auto" && has_sharp_edges(*source.surface)));
   const auto vertices = static_cast<double>(aim.vertices);
   require_effort(fmt::format("{} vertices", aim.vertices), keep_edges ? feature_effort(vertices) : lattice_effort(vertices));
-  if (!keep_edges) return lattice_tets(*source.solid, aim.vertices, tell);
+  if (!keep_edges) return lattice_tets(*source.solid, aim.volume_m3, aim.vertices, tell);
   return arguments.method == "mesh3" ? only_mesh3(source, aim, tell) : mesh3_or_lattice(source, aim, tell, say);
 }
 
@@ -124,7 +124,9 @@ void tets(const TetsArguments& arguments) {
     tell_user("bake-mesh: {}", line);
   };
   const Source source = find_source(arguments.source, say);
-  const Aim aim{vertices_of(source, arguments), body_volume(source)};
+  tell("measuring the volume");
+  const double volume_m3 = body_volume(source);
+  const Aim aim{vertices_of(source, arguments, volume_m3), volume_m3};
   const TetMesh mesh = make_tets(source, arguments, aim, tell, say);
   meter.phase(fmt::format("looking at {} tetrahedra", mesh.tets.size()));
   const TetQuality quality = tet_quality(mesh);

@@ -32,6 +32,17 @@ struct CrackSums {
   std::vector<std::int32_t> triangles;
 };
 
+/// Edges have their node in the middle.
+std::vector<std::array<std::int32_t, 2>> edges_cut(const std::vector<std::int32_t>& triangles, const CutSurface& surface) {
+  std::vector<std::array<std::int32_t, 2>> edges;
+  for (const std::int32_t t : triangles)
+    for (const std::int32_t n : surface.triangles[t])
+      if (const CutNode& node = surface.nodes[n]; node.size() == 2) edges.push_back({node.vertices[0], node.vertices[1]});
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
 double extent(const CrackSums& sums, const CutSurface& surface, const std::vector<Point>& points) {
   const Eigen::Vector3d c(sums.crack.centre_m[0], sums.crack.centre_m[1], sums.crack.centre_m[2]);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(sums.second - sums.crack.area_m2 * c * c.transpose());
@@ -80,10 +91,23 @@ std::vector<Crack> cracks(const CutSurface& surface, const std::vector<Point>& p
   for (auto& [root, sums] : all) {
     if (sums.crack.area_m2 > 0) sums.crack.centre_m = 1 / sums.crack.area_m2 * sums.crack.centre_m;
     sums.crack.length_m = extent(sums, surface, points);
+    sums.crack.edges = edges_cut(sums.triangles, surface);
     result.push_back(sums.crack);
   }
   std::stable_sort(result.begin(), result.end(), [](const Crack& a, const Crack& b) { return a.area_m2 > b.area_m2; });
   return result;
+}
+
+std::vector<std::int32_t> without_specks(const Topology& topology, std::vector<std::int32_t> broken_at, const std::vector<Crack>& cracks,
+                                         double smallest_m2) {
+  for (const Crack& crack : cracks) {
+    if (crack.area_m2 >= smallest_m2) continue;
+    for (const auto& edge : crack.edges) {
+      const auto found = std::lower_bound(topology.edges.begin(), topology.edges.end(), edge);
+      broken_at[static_cast<std::size_t>(found - topology.edges.begin())] = -1;
+    }
+  }
+  return broken_at;
 }
 
 std::vector<Piece> take_census(const CutSurface& surface, const std::vector<std::int32_t>& piece_of, const std::vector<Point>& points) {

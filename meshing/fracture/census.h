@@ -13,11 +13,16 @@ struct Crack {
   double area_m2 = 0;
   double length_m = 0;  ///< extent along the direction in which it is longest
   Point centre_m{0, 0, 0};
-  Point low_m{0, 0, 0}, high_m{0, 0, 0};  ///< its box
+  Point low_m{0, 0, 0}, high_m{0, 0, 0};           ///< its box
+  std::vector<std::array<std::int32_t, 2>> edges;  ///< that it cuts, by their vertices: each once, rising
 };
 
 /// The cracks, the largest first. `points`: of the nodes, in the reference mesh.
 std::vector<Crack> cracks(const CutSurface& surface, const std::vector<Point>& points);
+
+/// `broken_at` with the edges whole again that are cut by cracks smaller than `smallest_m2`.
+std::vector<std::int32_t> without_specks(const Topology& topology, std::vector<std::int32_t> broken_at, const std::vector<Crack>& cracks,
+                                         double smallest_m2);
 
 struct Piece {
   std::size_t vertices = 0;

@@ -124,6 +124,14 @@ class Surface {
   json report_;
 };
 
+/// What the wanted surface of a frame is cut along.
+std::vector<std::int32_t> resolved_breaks(const Topology& topology, const Breaking& breaking, double smallest_crack_m2, int passes) {
+  if (smallest_crack_m2 == 0) return breaking.broken_at();
+  const CutSurface surface = cut(topology, breaking.broken_at());
+  const std::vector<Crack> found = cracks(surface, material_shape(topology, surface, passes).points);
+  return without_specks(topology, breaking.broken_at(), found, smallest_crack_m2);
+}
+
 std::string summary(const json& report) {
   return fmt::format("frame {} ({:.4g} s): {} broken edges, {} cracks of {:.4g} m^2, {} pieces", report["frame"].get<int>(),
                      report["time_s"].get<double>(), report["broken_edges"].get<std::size_t>(), report["cracks"].size(),
@@ -152,20 +160,27 @@ void write_fracture(const FractureOptions& options, const std::function<void(con
   if (rule.void_ratio > 0 && first_volumes.empty())
     throw InputError(fmt::format("{}: found no column 'volume' in its frames, needed for --void-ratio", options.results.string()));
   Breaking breaking(topology, run.positions(), rule);
+  const double smallest_crack_m2 = options.smallest_crack * run.dx_m() * run.dx_m();
   const auto depth = depth_in(topology);
   std::filesystem::create_directories(options.out);
 
-  json report{{"mesh", options.mesh.string()}, {"results", options.results.string()},
-              {"reference_frame", reference},  {"reference_time_s", run.time_s(reference)},
-              {"stretch", rule.stretch},       {"smallest_gap_m", rule.smallest_gap_m},
-              {"void_ratio", rule.void_ratio}, {"mesh_volume_m3", volume(topology.mesh)},
+  json report{{"mesh", options.mesh.string()},
+              {"results", options.results.string()},
+              {"reference_frame", reference},
+              {"reference_time_s", run.time_s(reference)},
+              {"stretch", rule.stretch},
+              {"smallest_gap_m", rule.smallest_gap_m},
+              {"void_ratio", rule.void_ratio},
+              {"smallest_crack_m2", smallest_crack_m2},
+              {"mesh_volume_m3", volume(topology.mesh)},
               {"frames", json::array()}};
   for (int frame = 0; frame <= frames.back(); ++frame) {
     progress(frame / (frames.back() + 1.0));
     run.read(frame);
     breaking.advance(frame, run.positions(), rule.void_ratio > 0 ? growth(run, first_volumes) : std::vector<double>{});
     if (!std::binary_search(frames.begin(), frames.end(), frame)) continue;
-    const Surface surface(topology, run, frame, breaking.broken_at(), options.smoothing_passes);
+    const auto broken_at = resolved_breaks(topology, breaking, smallest_crack_m2, options.smoothing_passes);
+    const Surface surface(topology, run, frame, broken_at, options.smoothing_passes);
     write_mesh(options.out / frame_name(frame), surface.mesh(run, frame, depth));
     report["frames"].push_back(surface.report());
     tell(summary(surface.report()));

@@ -22,6 +22,7 @@ struct FractureOptions {
   double stretch = BreakingRule{}.stretch;
   std::optional<double> smallest_gap_m;  ///< default: k_smallest_gap node distances of the run
   double void_ratio = BreakingRule{}.void_ratio;
+  double smallest_crack = 0;        ///< faces of a cell of the run's grid: smaller cracks are not cut
   std::int64_t first_particle = 0;  ///< the particle that is vertex 0
   int smoothing_passes = 8;
 };

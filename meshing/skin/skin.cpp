@@ -25,13 +25,13 @@ using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 /// The boundary of lattice tetrahedra whose nearest neighbours are one edge length apart.
 TriangleMesh first_guess(const Shape& solid, double edge_length_m, const Tell& tell) {
   constexpr double k_most = 2e7;
-  const double a = edge_length_m * 2 / std::sqrt(3.0), vertices = 2 * solid_volume(solid) / (a * a * a);
+  const double a = edge_length_m * 2 / std::sqrt(3.0), volume_m3 = solid_volume(solid), vertices = 2 * volume_m3 / (a * a * a);
   if (vertices < 10) throw InputError(fmt::format("edges of {:.4g} m are too long for this body", edge_length_m));
   if (vertices > k_most)
     throw InputError(
         fmt::format("edges of {:.4g} m are too short for this body: it would be filled with {:.3g} vertices on the way, allowed: {:.3g}",
                     edge_length_m, vertices, k_most));
-  const TetMesh tets = lattice_tets(solid, static_cast<std::size_t>(vertices), tell);
+  const TetMesh tets = lattice_tets(solid, volume_m3, static_cast<std::size_t>(vertices), tell);
   return {tets.points, boundary_triangles(tets.tets, tet_neighbours(tets.tets, tets.points.size()))};
 }
 

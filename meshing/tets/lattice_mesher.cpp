@@ -172,10 +172,9 @@ double solid_volume(const Shape& solid) {
   return volume;
 }
 
-TetMesh lattice_tets(const Shape& solid, std::size_t target, const Tell& tell) {
+TetMesh lattice_tets(const Shape& solid, double volume_m3, std::size_t target, const Tell& tell) {
   const Box3 box = finite_bounds(solid);
-  tell("measuring the volume");
-  const double vertex_volume = solid_volume(solid) / static_cast<double>(target);
+  const double vertex_volume = volume_m3 / static_cast<double>(target);
   double a = std::cbrt(2 * vertex_volume);  // a lattice of constant a has two points per a^3
   auto wanted = static_cast<double>(target);
   TetMesh best;

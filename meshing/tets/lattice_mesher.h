@@ -15,8 +15,8 @@ namespace bake {
 /// Throws InputError if the solid has no finite bounds or no inside.
 double solid_volume(const Shape& solid);
 
-/// Fills the solid with `target` vertices, to 1 % or as near as its shape allows. Throws InputError if `target` is too small for a mesh, or
-/// if the solid has no finite bounds or no inside.
-TetMesh lattice_tets(const Shape& solid, std::size_t target, const Tell& tell = tell_nobody);
+/// Fills the solid, which has that volume, with `target` vertices, to 1 % or as near as its shape allows. Throws InputError if `target` is
+/// too small for a mesh, or if the solid has no finite bounds.
+TetMesh lattice_tets(const Shape& solid, double volume_m3, std::size_t target, const Tell& tell = tell_nobody);
 
 }  // namespace bake

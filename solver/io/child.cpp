@@ -8,9 +8,12 @@
 
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <thread>
+#include <utility>
 
 #include "solver/io/processors.h"
+#include "solver/io/stop_signals.h"
 
 namespace bake {
 namespace {
@@ -50,13 +53,15 @@ ChildEnd run_child(std::vector<std::string> words, const std::filesystem::path& 
   }
   constexpr int k_between_ms = 10;
   int status = 0, waited_ms = 0;
+  bool is_asked_to_stop = false;
   for (;;) {
-    const pid_t ended = waitpid(child, &status, meanwhile ? WNOHANG : 0);
+    const pid_t ended = waitpid(child, &status, WNOHANG);
     if (ended == child || (ended < 0 && errno != EINTR)) break;
     if (ended != 0) continue;
     std::this_thread::sleep_for(std::chrono::milliseconds(k_between_ms));
     waited_ms += k_between_ms;
-    if (waited_ms % 250 == 0) meanwhile();
+    if (waited_ms % 250 == 0 && meanwhile) meanwhile();
+    if (StopSignals::asked() && !std::exchange(is_asked_to_stop, true)) ::kill(child, SIGTERM);
   }
   return {0, WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status)};
 }

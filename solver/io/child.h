@@ -17,7 +17,7 @@ struct ChildEnd {
 
 /// Runs a program and waits. `words`: its name (looked for in PATH unless it has a slash) and its arguments. Its standard
 /// input is empty; its output goes to the file `log`, or to our own output if `log` is empty. `meanwhile` is called some four times a
-/// second until it ends.
+/// second until it ends. Where StopSignals are there and one has come, the child is asked to stop, too, and waited for.
 ChildEnd run_child(std::vector<std::string> words, const std::filesystem::path& log = {}, const std::function<void()>& meanwhile = {});
 
 }  // namespace bake

@@ -9,7 +9,6 @@
 
 #include <atomic>
 #include <cmath>
-#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -21,6 +20,7 @@
 #include "solver/io/progress.h"
 #include "solver/io/provenance.h"
 #include "solver/io/scratch_folder.h"
+#include "solver/io/stop_signals.h"
 #include "solver/run/check_scene.h"
 #include "solver/run/describe_bodies.h"
 #include "solver/run/fill_scene.h"
@@ -37,29 +37,6 @@
 namespace bake {
 
 namespace {
-
-volatile std::sig_atomic_t g_stop_asked = 0;
-
-/// On SIGINT or SIGTERM the run stops after the current step; a second signal ends the program as usual.
-class StopSignals {
- public:
-  StopSignals() {
-    g_stop_asked = 0;
-    struct sigaction action {};
-    action.sa_handler = [](int) { g_stop_asked = 1; };
-    action.sa_flags = SA_RESETHAND;
-    sigaction(SIGINT, &action, &old_int_);
-    sigaction(SIGTERM, &action, &old_term_);
-  }
-  ~StopSignals() {
-    sigaction(SIGINT, &old_int_, nullptr);
-    sigaction(SIGTERM, &old_term_, nullptr);
-  }
-  static bool asked() { return g_stop_asked != 0; }
-
- private:
-  struct sigaction old_int_, old_term_;
-};
 
 /// A descriptor that is held back, so that the end of a run can be written down when there are no others left.
 class SpareDescriptor {

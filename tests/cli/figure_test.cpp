@@ -113,6 +113,56 @@ TEST_F(AFigure, GoesOnWithWhatIsHalfFinished) {
   EXPECT_TRUE(fs::exists(place.folder() / "results/soft-draft/frames/0002.hdf"));
 }
 
+/// The threads that a run was made by.
+int threads_of(const Workplace& place, const std::string& run) {
+  return nlohmann::json::parse(contents(place.folder() / "results" / (run + "-draft") / "run.json"))["provenance"]["threads"];
+}
+
+TEST_F(AFigure, MakesRunsSideBySideOfWhichTheLastHasAllThreads) {
+  figure("[[run]]\nname = \"third\"\nscene = \"dough\"\nset = \"material.dough.young_modulus_Pa=2e4\"\n");
+  const Outcome outcome = place.bake("figure 1 --threads 2");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(threads_of(place, "soft"), 1);
+  EXPECT_EQ(threads_of(place, "hard"), 1);
+  EXPECT_EQ(threads_of(place, "third"), 2);
+  EXPECT_NE(outcome.err.find("run hard: begins\n"), std::string::npos) << outcome.err;
+  const std::string side_by_side = contents(place.folder() / "results/hard-draft/frames/0002.hdf");
+  ASSERT_EQ(place.bake("figure 1 --only-run hard --threads 2").exit_code, 0);
+  EXPECT_EQ(threads_of(place, "hard"), 1) << "it is there";
+  fs::remove_all(place.folder() / "results/hard-draft");
+  ASSERT_EQ(place.bake("figure 1 --threads 2").exit_code, 0);
+  EXPECT_EQ(threads_of(place, "hard"), 2) << "alone";
+  EXPECT_TRUE(contents(place.folder() / "results/hard-draft/frames/0002.hdf") == side_by_side);
+}
+
+TEST_F(AFigure, MakesTimedRunsOneAfterTheOther) {
+  figure("", "shows = ", "timed = true\nshows = ");
+  ASSERT_EQ(place.bake("figure 1 --threads 2").exit_code, 0);
+  EXPECT_EQ(threads_of(place, "soft"), 2);
+  EXPECT_EQ(threads_of(place, "hard"), 2);
+}
+
+TEST_F(AFigure, TellsWhichOfTheRunsSideBySideFails) {
+  expect_refused(place, "figure 1 --quiet --threads 2", "bake: run soft: exit 3: results/soft-draft/", "trap '' XFSZ; ulimit -f 4;", 3);
+}
+
+TEST_F(AFigure, InterruptedKeepsTheCheckpointsOfAllThatWereUnderWay) {
+  std::string scene = contents(place.folder() / "experiments/fig01_dough/dough.toml");
+  scene.replace(scene.find("end_s = 0.01"), 12, "end_s = 0.3");
+  place.write("experiments/fig01_dough/dough.toml", scene + "[time]\nlargest_step_s = 1e-4\n");
+  const std::string until_under_way =
+      " & made=$!; for run in soft hard; do while [ \"$(cat results/$run-draft/ledger.csv 2>/dev/null | wc -l)\" -lt 4 ]; do sleep 0.01; "
+      "done; "
+      "done; kill -TERM $made; wait $made";
+  const Outcome stopped = place.bake("figure 1 --threads 2 --quiet" + until_under_way);
+  EXPECT_EQ(stopped.exit_code, 3) << "the runs were over before the signal: make them longer";
+  EXPECT_NE(stopped.err.find("interrupted; the same command resumes from the checkpoint"), std::string::npos) << stopped.err;
+  for (const char* run : {"soft", "hard"})
+    EXPECT_TRUE(fs::exists(place.folder() / "results" / (std::string(run) + "-draft") / "checkpoint.h5"));
+  const Outcome resumed = place.bake("figure 1 --threads 2");
+  EXPECT_NE(resumed.err.find("run hard: resumes from its checkpoint"), std::string::npos) << resumed.err;
+}
+
 TEST_F(AFigure, RunsAnewWhatWasMadeFromAnotherScene) {
   ASSERT_EQ(place.bake("run dough --quiet --out results/soft-draft --set material.dough.poisson_ratio=0.2").exit_code, 0);
   EXPECT_NE(place.bake("figure 1").err.find("run soft: begins"), std::string::npos);

@@ -154,8 +154,20 @@ TEST(FractureLaw, WhatBreaksLaterOnlyAddsNodes) {
   EXPECT_TRUE(holds);
 }
 
+TEST(FractureLaw, WithoutAnyCrackAllIsWhole) {
+  const bool holds = rc::check([] {
+    const Topology topology = random_mesh();
+    const Broken broken = random_break(topology);
+    const CutSurface surface = cut(topology, broken);
+    const auto found = cracks(surface, material_shape(topology, surface, 2).points);
+    const CutSurface whole = cut(topology, without_specks(topology, broken, found, k_infinity));
+    RC_ASSERT(whole.triangles.size() == whole.skin_triangles);
+  });
+  EXPECT_TRUE(holds);
+}
+
 TEST(Fracture, OfNothingBrokenIsTheBoundaryWithoutCracks) {
-  const Topology topology = make_topology(lattice_tets(*brick(), 500));
+  const Topology topology = make_topology(filled(*brick(), 500));
   const Broken whole(topology.edges.size(), -1);
   const CutSurface surface = cut(topology, whole);
   EXPECT_EQ(surface.triangles.size(), topology.boundary.size());
@@ -164,7 +176,7 @@ TEST(Fracture, OfNothingBrokenIsTheBoundaryWithoutCracks) {
 }
 
 TEST(Fracture, AlongAPlaneMakesOneFlatCrackOfItsArea) {
-  const Topology topology = make_topology(lattice_tets(*brick({0.5, 0.5, 0.5}), 1500));
+  const Topology topology = make_topology(filled(*brick({0.5, 0.5, 0.5}), 1500));
   Broken broken(topology.edges.size(), -1);
   for (std::size_t e = 0; e < broken.size(); ++e) {
     const auto& [a, b] = topology.edges[e];
@@ -186,7 +198,7 @@ TEST(Fracture, AlongAPlaneMakesOneFlatCrackOfItsArea) {
 }
 
 TEST(Cracks, AreSortedAndMeasuredAlikeEverywhere) {
-  const TetMesh mesh = lattice_tets(*brick({0.5, 0.2, 0.1}), 1500);
+  const TetMesh mesh = filled(*brick({0.5, 0.2, 0.1}), 1500);
   const Vector3 away{5, 3, -2};
   TetMesh moved = mesh;
   for (Point& x : moved.points) x = x + away;
@@ -213,6 +225,12 @@ TEST(Cracks, AreSortedAndMeasuredAlikeEverywhere) {
       EXPECT_LT(length(there[i].low_m - away - here[i].low_m), 1e-9);
       EXPECT_LT(length(there[i].high_m - away - here[i].high_m), 1e-9);
     }
+    const Broken resolved = without_specks(topology, broken, here, 0.5 * (here[0].area_m2 + here[1].area_m2));
+    const CutSurface less = cut(topology, resolved);
+    const auto left = cracks(less, material_shape(topology, less, 8).points);
+    ASSERT_EQ(left.size(), 1u) << "the smaller one is closed";
+    EXPECT_NEAR(left[0].area_m2, here[0].area_m2, 1e-12) << "and the other as it was";
+    EXPECT_EQ(without_specks(topology, broken, here, here[1].area_m2), broken);
   }
 }
 

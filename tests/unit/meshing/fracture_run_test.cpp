@@ -32,7 +32,7 @@ class ATornBrick : public testing::Test {
   static constexpr int k_frames = 13;
   static constexpr std::int64_t k_first = 100;
 
-  ATornBrick() : mesh_(lattice_tets(*brick(), 1200)) {
+  ATornBrick() : mesh_(filled(*brick(), 1200)) {
     write_mesh(folder_ / "mesh.hdf", to_particles_mesh(mesh_));
     write_run("done", 0);
   }
@@ -150,6 +150,18 @@ TEST_F(ATornBrick, IsBrokenWhereThereIsAVoidIfAskedTo) {
   EXPECT_EQ(report_of(wanted)["frames"][0]["pieces"].size(), 2u) << "dough has not grown into the tear";
   write_run("done", 0, 2);
   EXPECT_EQ(report_of(wanted)["frames"][0]["broken_edges"], 0) << "dough fills all of it";
+}
+
+TEST_F(ATornBrick, IsWholeIfTheTearIsSmallerThanAskedFor) {
+  const double faces = report_of(options())["frames"][0]["crack_area_m2"].get<double>() / (k_dx * k_dx);
+  FractureOptions wanted = options();
+  wanted.smallest_crack = 0.99 * faces;
+  EXPECT_EQ(report_of(wanted)["frames"][0]["pieces"].size(), 2u);
+  wanted.smallest_crack = 1.01 * faces;
+  const json closed = report_of(wanted);
+  EXPECT_NEAR(closed["smallest_crack_m2"].get<double>(), 1.01 * faces * k_dx * k_dx, 1e-9);
+  EXPECT_TRUE(closed["frames"][0]["cracks"].empty());
+  EXPECT_EQ(closed["frames"][0]["pieces"].size(), 1u);
 }
 
 TEST_F(ATornBrick, HasWantedFramesOnly) {

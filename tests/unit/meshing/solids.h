@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "meshing/tets/delaunay.h"
+#include "meshing/tets/lattice_mesher.h"
 #include "meshing/tets/tet_mesh.h"
 #include "tests/unit/boundary/sampling.h"
 
@@ -18,6 +19,10 @@ inline ShapePtr slit_loaf() {
   const ShapePtr slit = make_transformed(make_ellipsoid({0, 0, 0}, {0.035, 0.22, 0.12}), 1, {0, 0, 35}, {0, 0, 0.25});
   return make_difference(make_intersection({make_superellipsoid({0.5, 0.27, 0.24}, 2.5, 2.2), make_half_space({0, 0, -0.06}, {0, 0, -1})}),
                          {slit});
+}
+
+inline TetMesh filled(const Shape& solid, std::size_t target, const Tell& tell = tell_nobody) {
+  return lattice_tets(solid, solid_volume(solid), target, tell);
 }
 
 /// The Delaunay tetrahedra of points, without those that are nearly flat.

@@ -38,7 +38,7 @@ void expect_sound(const TetMesh& mesh) {
 
 TEST_P(ASolid, IsFilledWithTheVerticesAskedForAndWatertight) {
   const auto& [name, solid, volume, target] = GetParam();
-  const TetMesh mesh = lattice_tets(*solid, target);
+  const TetMesh mesh = filled(*solid, target);
   EXPECT_NEAR(static_cast<double>(mesh.points.size()), static_cast<double>(target), 0.02 * static_cast<double>(target));
   expect_sound(mesh);
   const double expected = volume > 0 ? volume : solid_volume(*solid);
@@ -57,14 +57,14 @@ INSTANTIATE_TEST_SUITE_P(Tets, ASolid,
 
 TEST(Tets, HaveInnerVerticesOfEvenVolume) {
   for (const auto& [solid, target] : {std::pair{ball(), 20000}, {slit_loaf(), 9000}, {brick(), 2000}}) {
-    const TetQuality quality = tet_quality(lattice_tets(*solid, target));
+    const TetQuality quality = tet_quality(filled(*solid, target));
     EXPECT_LT(quality.inner_spread, 0.04);
     EXPECT_GT(quality.inner_spread, 0.001);
   }
 }
 
 TEST(EvenVolumes, LeaveTheSurfaceAndTheVolumeAndFlattenNothing) {
-  TetMesh mesh = lattice_tets(*ball(), 3000);
+  TetMesh mesh = filled(*ball(), 3000);
   std::vector<char> outer(mesh.points.size(), 0);
   for (const Triangle& t : boundary_triangles(mesh.tets, tet_neighbours(mesh.tets, mesh.points.size())))
     for (const std::int32_t v : t) outer[v] = 1;
@@ -91,21 +91,21 @@ TEST(EvenVolumes, LeaveTheSurfaceAndTheVolumeAndFlattenNothing) {
 }
 
 TEST(Tets, AreTheSameEveryTime) {
-  const TetMesh a = lattice_tets(*slit_loaf(), 3000), b = lattice_tets(*slit_loaf(), 3000);
+  const TetMesh a = filled(*slit_loaf(), 3000), b = filled(*slit_loaf(), 3000);
   EXPECT_EQ(a.points, b.points);
   EXPECT_EQ(a.tets, b.tets);
 }
 
 TEST(Tets, TellTheirPhases) {
   std::vector<std::string> phases;
-  lattice_tets(*ball(), 1000, [&](const std::string& doing) { phases.push_back(doing.substr(0, doing.find(' '))); });
-  ASSERT_GE(phases.size(), 3u);
-  phases.resize(3);
-  EXPECT_EQ(phases, (std::vector<std::string>{"measuring", "placing", "connecting"}));
+  filled(*ball(), 1000, [&](const std::string& doing) { phases.push_back(doing.substr(0, doing.find(' '))); });
+  ASSERT_GE(phases.size(), 2u);
+  phases.resize(2);
+  EXPECT_EQ(phases, (std::vector<std::string>{"placing", "connecting"}));
 }
 
 TEST(Tets, OfABoxReachItsEdgesAndCorners) {
-  const TetMesh mesh = lattice_tets(*brick(), 5000);
+  const TetMesh mesh = filled(*brick(), 5000);
   int corners = 0, edges = 0;
   for (const Point& x : mesh.points) {
     const int faces = (std::abs(x[0]) > 0.0999) + (std::abs(x[1]) > 0.0799) + (std::abs(x[2]) > 0.0599);
@@ -117,7 +117,7 @@ TEST(Tets, OfABoxReachItsEdgesAndCorners) {
 }
 
 std::string error_of(const Shape& solid, std::size_t target) {
-  return message_of<InputError>([&] { lattice_tets(solid, target); });
+  return message_of<InputError>([&] { filled(solid, target); });
 }
 
 TEST(Tets, OfWhatCannotBeFilledAreRefused) {
