@@ -351,6 +351,33 @@ TEST(ALonelyParticle, FallsAndBakesAndIsKept) {
   }
 }
 
+/// How far a spinning particle's volume comes from what it was, in two seconds without gravity.
+double swelling(const char* safety) {
+  Dough dough = lonely("motion, elasticity");
+  dough.material = Dough::changed({{"poisson_ratio", "0.49"}, {"initial_porosity", "1e-6"}});
+  dough.gravity = "[0, 0, 0]";
+  dough.body = "angular_velocity_rad_per_s = [0.3, 0.2, 0.1]";
+  dough.tables = std::string("[time]\nsafety = ") + safety + "\n";
+  const Scene scene = dough.scene();
+  const auto one = Simulation::begin(scene);
+  EXPECT_EQ(one->particles(), 1u);
+  double most = 0;
+  one->advance(2, 3, [&] {
+    for (const auto& [name, values] : one->snapshot().columns)
+      if (name == field::VolumeRatio::name) most = std::max(most, std::abs(values[0] - 1));
+    return most < 0.5;
+  });
+  return most;
+}
+
+/// It vibrates faster than a cell's waves, by sqrt(12 K / rho) / dx, which is stable for a safety below 1 / sqrt(3) where K is nearly all of
+/// its stiffness.
+TEST(ALonelyParticle, VibratesWithoutGrowingAtTheDefaultSafety) {
+  EXPECT_LT(swelling("0.5"), 1e-3);
+  EXPECT_LT(swelling("0.57"), 1e-3);
+  EXPECT_GT(swelling("0.59"), 0.1);
+}
+
 TEST(TwoParticlesAtOnePlace, MoveAsOne) {
   for (const char* effects : {"motion, elasticity", k_everything}) {
     Dough dough = lonely(effects);
