@@ -123,9 +123,9 @@ void make_all(std::span<const Asked* const> runs, const FigurePaths& paths) {
   const bool alone = paths.figure.timed || paths.options.quality == Quality::paper;  // at paper one takes up to 4 GB
   while (!runs.empty()) {
     const int at_once = alone ? 1 : std::min(static_cast<int>(runs.size()), threads);
-    const std::size_t now = at_once == 1 ? 1 : runs.size() - runs.size() % static_cast<std::size_t>(at_once);
+    const std::size_t now = runs.size() - runs.size() % static_cast<std::size_t>(at_once);
     if (at_once == 1) {
-      make_here(*runs.front());
+      for (const Asked* run : runs) make_here(*run);
     } else {
       const StopSignals signals;  // passed on to those that work
       side_by_side(now, at_once, [&](std::size_t i) { make_aside(*runs[i], paths.item.name, threads / at_once); });
