@@ -370,8 +370,8 @@ double swelling(const char* safety) {
   return most;
 }
 
-/// It vibrates faster than a cell's waves, by sqrt(12 K / rho) / dx, which is stable for a safety below 1 / sqrt(3) where K is nearly all of
-/// its stiffness.
+/// It vibrates faster than a cell's waves, by sqrt(12 K / rho) / dx, which is stable for a safety below 1 / sqrt(3) where K is nearly all
+/// of its stiffness.
 TEST(ALonelyParticle, VibratesWithoutGrowingAtTheDefaultSafety) {
   EXPECT_LT(swelling("0.5"), 1e-3);
   EXPECT_LT(swelling("0.57"), 1e-3);
