@@ -80,10 +80,9 @@ std::vector<Asked> asked_runs(const FigurePaths& paths) {
 
 /// Makes its mesh, and looks whether it is there.
 void prepare(Asked& asked) {
-  const auto& [paths, run, scene, kept] = asked;
-  asked.scene.file = fs::absolute(scene.file);  // the mesh's path is relative to the working folder
-  if (run.mesh) use_mesh(asked.scene, make_mesh(paths, run, scene));
-  asked.kept = kept_run(scene, paths.run(run.name));
+  asked.scene.file = fs::absolute(asked.scene.file);  // the mesh's path is relative to the working folder
+  if (asked.run.mesh) use_mesh(asked.scene, make_mesh(asked.paths, asked.run, asked.scene));
+  asked.kept = kept_run(asked.scene, asked.paths.run(asked.run.name));
 }
 
 void say_state(const Asked& asked) {
