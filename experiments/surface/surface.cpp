@@ -20,10 +20,7 @@ std::string ratios(const Areas& a) {
 
 std::string claim(const Areas& a) {
   if (a.form == "published") return "none: as it is";
-  const AreaClaim bounds = claim_of(a);
-  const char* verdict = holds(a) ? "holds" : "MISSED";
-  if (a.smooth) return fmt::format("largest error {:.4f}, at most {}: {}", figure(a), bounds.high, verdict);
-  return fmt::format("order {:.2f} in {} to {}: {}", figure(a), bounds.low, bounds.high, verdict);
+  return fmt::format("largest error {:.4f}, at most {}: {}", largest_error(a), claim_of(a).most, holds(a) ? "holds" : "MISSED");
 }
 
 nlohmann::json as_json(const std::vector<Areas>& all) {
@@ -34,10 +31,9 @@ nlohmann::json as_json(const std::vector<Areas>& all) {
                        {"particles_per_cell", a.particles_per_cell},
                        {"cells_per_m", a.cells},
                        {"area_over_true_area", a.ratios},
-                       {a.smooth ? "largest_error" : "order", figure(a)}};
+                       {"largest_error", largest_error(a)}};
     if (a.form == "standard") {
-      row["low"] = claim_of(a).low;
-      row["high"] = claim_of(a).high;
+      row["at_most"] = claim_of(a).most;
       row["why"] = claim_of(a).why;
       row["holds"] = holds(a);
     }

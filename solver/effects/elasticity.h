@@ -76,6 +76,7 @@ struct Elasticity : Effect {
     const auto volumetric = k.lambda * (e[0] + e[1] + e[2]);
     for (int i = 0; i < 6; ++i) p[field::tau][i] += 2 * k.mu * e[i] + (i < 3 ? volumetric : 0 * volumetric);
     p.stiffness += k.lambda + 2 * k.mu;
+    p.shear_stiffness += k.mu;
   }
 
   static void totals(auto& p, const auto& k, const auto&, auto& report) {

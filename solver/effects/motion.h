@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "solver/core/kernel_order.h"
@@ -28,6 +29,8 @@ BAKE_FIELD(kinetic, Kinetic, 1, "kinetic", "J", "kinetic energy of the inertial 
 namespace bound {
 BAKE_FIELD(speed_squared, SpeedSquared, 1, "speed_squared", "m^2/s^2", "|v|^2");
 BAKE_FIELD(sound_speed_squared, SoundSpeedSquared, 1, "sound_speed_squared", "m^2/s^2", "stiffness over density, c^2");
+BAKE_FIELD(own_frequency_squared, OwnFrequencySquared, 1, "own_frequency_squared", "1/s^2",
+           "of a particle's volume when it is alone on its nodes; infinite once that volume is not above 0");
 BAKE_FIELD(deformation_rate_squared, DeformationRateSquared, 1, "deformation_rate_squared", "1/s^2", "|C|^2");
 }  // namespace bound
 
@@ -72,7 +75,7 @@ struct Motion : Effect {
   using Gathered = FieldList<channel::NodeVelocity>;
   using Booked = FieldList<booked::Damped>;
   using Totals = FieldList<total::Momentum, total::AngularMomentum, total::Kinetic>;
-  using Bounds = FieldList<bound::SpeedSquared, bound::SoundSpeedSquared, bound::DeformationRateSquared>;
+  using Bounds = FieldList<bound::SpeedSquared, bound::SoundSpeedSquared, bound::OwnFrequencySquared, bound::DeformationRateSquared>;
 
   /// Whether pores that are pulled wide hold a vacuum, which pulls back.
   static bool pores_hold_vacuum(const auto& scene) {
@@ -158,24 +161,36 @@ struct Motion : Effect {
     }
   }
 
-  BAKE_INLINE static void bounds(auto& p, const auto& k, const auto&, auto& report) {
+  /// A particle alone on its nodes gets back the C that it gave, less dt tau / (rho d), d = 1 / inverse_d: its volume vibrates by
+  /// d^2 tr(eps) / dt^2 = -3 K inverse_d / rho tr(eps), K being the bulk modulus of all that it is made of.
+  BAKE_INLINE static void bounds(auto& p, const auto& k, const auto& step, auto& report) {
+    using P = std::decay_t<decltype(p)>;
     auto speed2 = p[field::v][0] * p[field::v][0], deformation2 = p[field::C][0] * p[field::C][0];
     for (int i = 1; i < 3; ++i) speed2 += p[field::v][i] * p[field::v][i];
     for (int i = 1; i < 9; ++i) deformation2 += p[field::C][i] * p[field::C][i];
     report.bound(bound::speed_squared, speed2);
     report.bound(bound::deformation_rate_squared, deformation2);
-    report.bound(bound::sound_speed_squared, p.stiffness * p[field::V_0] / (k.inertia * p.mass()));
+    const auto per_density = p[field::V_0] / (k.inertia * p.mass());
+    report.bound(bound::sound_speed_squared, p.stiffness * per_density);
+    const auto own = (3 * p.stiffness - 4 * p.shear_stiffness) * per_density * step.inverse_d;
+    report.bound(bound::own_frequency_squared, p[field::J] > 0 ? own : 0 * own + std::numeric_limits<typename P::Real>::infinity());
   }
 
   /// A wave crosses one cell: the highest frequency of the lumped B-spline grid is below 2 c / dx, explicit integration holds for
-  /// dt < 2 / frequency. |dt C| below 1/2 keeps I + dt C far from singular.
+  /// dt < 2 / frequency. So it does for a particle alone, whose frequency is higher where it resists a change of volume more than one of
+  /// shape. |dt C| below 1/2 keeps I + dt C far from singular. Gravity accelerates the inertial mass by g / inertia_scale.
   static void largest_step(const auto& most, const StepScale& at, const auto& scene, StepLimit& limit) {
     const double c2 = most(bound::sound_speed_squared), C2 = most(bound::deformation_rate_squared), v2 = most(bound::speed_squared);
-    const double g = largest_length(scene.template of<Motion>().gravity_m_per_s2);
+    const double own2 = most(bound::own_frequency_squared);
+    const auto& motion = scene.template of<Motion>();
+    const double acceleration = largest_length(motion.gravity_m_per_s2) / motion.inertia_scale;
+    constexpr double k_share = 0.9;  // of a limit that is exact
+    if (own2 > 0)
+      limit.at_most(k_share * 2 / std::sqrt(own2), std::isinf(own2) ? "a particle's volume fell to zero" : "stiffness of a particle alone");
     if (c2 > 0) limit.at_most(at.safety * at.dx / std::sqrt(c2), "stiffness (elastic, pore gas and water)");
     if (C2 > 0) limit.at_most(0.5 / std::sqrt(C2), "rate of deformation");
     if (v2 > 0) limit.at_most(at.cfl * at.dx / std::sqrt(v2), "particle travel (time.cfl)");
-    if (g > 0) limit.at_most(std::sqrt(at.cfl * at.dx / g), "gravity (time.cfl)");
+    if (acceleration > 0) limit.at_most(std::sqrt(at.cfl * at.dx / acceleration), "gravity (time.cfl)");
   }
 
   /// v_i = momentum / mass, the mass being that after the step's water fluxes. Vapour leaves with the node's velocity, so that

@@ -25,7 +25,7 @@ struct ParticleOfEverything {
   static constexpr bool stores = true;
 
   V numbers[Fields::width] = {};
-  V stiffness{};
+  V stiffness{}, shear_stiffness{};
 
   template <class F>
   auto& operator[](F) {

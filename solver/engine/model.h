@@ -172,7 +172,8 @@ struct Model<Scalar, Effects...>::Particle {
   V* columns;
   const Constants& k;
   V transient[Transient::width > 0 ? Transient::width : 1];  ///< each is written before it is read: zeros would cost a memset per tile
-  V stiffness = V{};                                         ///< d tau / d ln J summed over the effects [Pa]
+  V stiffness = V{};                                         ///< to waves of pressure, K + 4/3 mu, summed over the effects [Pa]
+  V shear_stiffness = V{};                                   ///< its mu [Pa]
 
   BAKE_INLINE Particle(V* columns_of_tile, const Constants& constants) : columns(columns_of_tile), k(constants) {}
 

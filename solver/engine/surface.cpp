@@ -219,11 +219,15 @@ bool is_constant(const Numbers<Real, count>& in) {
 
 /// What smoothing took off the area of a curved surface. Smoothing with the variance sigma^2 per axis moves a level by sigma^2 (k_1 +
 /// k_2)/2 towards the centre, which leaves 1 - sigma^2/2 (k_1 + k_2)^2 of its area. Bounded where the surface bends within a cell.
+/// An edge bends within less than K is averaged over, and shows by how much K varies there: the loss goes with the integral of that
+/// variance. Taken off it are the noise of particles, 0.01, and what levels one within the other vary by: 2/r on a ball, dK/dr = -K^2/2,
+/// over half a dx. The factor is fitted to right angles (paper/surface.md: cubes and cylinders at any angle and size).
 template <class Real>
-Real unrounded(Real r, Real bend, double half_variance) {
-  constexpr Real k_most = Real(0.5);
-  const Real K = r > 0 ? bend / r : Real(0);
-  return 1 + std::min(static_cast<Real>(half_variance) * K * K, k_most);
+Real unrounded(Real r, Real bend, Real bend2, double half_variance) {
+  constexpr Real k_most = Real(0.5), k_edge = Real(7.5), k_noise = Real(0.01), k_levels = Real(0.06), k_edge_most = Real(1);
+  const Real inverse = r > 0 ? 1 / r : Real(0), K = bend * inverse, K2 = K * K;
+  const Real varies = std::max(bend2 * inverse - K2 - k_noise - k_levels * K2 * K2, Real(0));
+  return 1 + std::min(static_cast<Real>(half_variance) * K2, k_most) + std::min(k_edge * varies, k_edge_most);
 }
 
 template <class Nodes>
@@ -241,7 +245,7 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
   layer_ = layer;
   rounding_ = rounding;
   conductivity_.resize(conductivity_channel < 0 ? 0 : n);
-  for (auto* field : {&volume_, &mirrored_, &smooth_, &filled_, &density_, &bend_}) field->resize(n);
+  for (auto* field : {&volume_, &mirrored_, &smooth_, &filled_, &density_, &bend_, &bend2_}) field->resize(n);
   covers_.resize(n);
   shares_.resize(n);
   blocks_.assign(n, {});
@@ -328,7 +332,7 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
   if (blocks_[s].is_empty || std::all_of(active.around[s].begin(), active.around[s].end(), is_full)) return;
   const double dx = geometry.dx();
   // from phi of the nodes around; visit(node, heat of the solid in front of it) where there is a surface
-  const auto measure = [&](auto phi_of, Nodes& r, Nodes& bend, auto visit) {
+  const auto measure = [&](auto phi_of, Nodes& r, Nodes& bend, Nodes& bend2, auto visit) {
     Halo<Real, k_narrow> psi;
     load_halo<k_narrow>(active.around[s], phi_of, psi);
     constexpr Real k_outside = Real(0.2), k_slope = 1 / (k_full - k_outside);
@@ -346,7 +350,7 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
     load_halo<k_wide>(active.around[s], phi_of, phi);
     for (Real& value : phi.at) value = value < k_no_dough ? Real(0) : value;  // as in blocks that are empty
     find_curvature(phi, bend);
-    for (std::size_t k = 0; k < k_block_nodes; ++k) bend[k] *= r[k];
+    for (std::size_t k = 0; k < k_block_nodes; ++k) bend2[k] = r[k] * bend[k] * bend[k], bend[k] *= r[k];
     if (!blocks_[s].is_beside) return;
     for (std::size_t k = 0; k < k_block_nodes; ++k) {
       if (r[k] == 0) continue;
@@ -356,24 +360,26 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
       visit(k, contacts.covering(Place(geometry, active.at[s], static_cast<int>(k)), (-1 / length(inward)) * inward, k_reach * dx));
     }
   };
-  Nodes &r = density_[s], &bend = bend_[s];
+  Nodes &r = density_[s], &bend = bend_[s], &bend2 = bend2_[s];
   r.fill(0);
   measure([&](std::size_t i) { return blocks_[i].is_empty    ? nullptr
                                       : blocks_[i].is_beside ? &filled_[i]
-                                                             : &smooth_[i]; }, r, bend,
+                                                             : &smooth_[i]; }, r, bend, bend2,
           [&](std::size_t k, const std::optional<ContactHeat>& heat) {
             if (heat) r[k] = bend[k] = 0;
+            if (heat || filled_[s][k] != smooth_[s][k]) bend2[k] = 0;  // where it meets a solid it ends: that is no edge
           });
   blocks_[s].has_density = any_positive(r);
   if (!blocks_[s].is_beside) return;
-  Nodes covered{}, covered_bend;
-  measure([&](std::size_t i) { return blocks_[i].is_empty ? nullptr : &smooth_[i]; }, covered, covered_bend,
+  Nodes covered{}, covered_bend, covered_bend2;
+  measure([&](std::size_t i) { return blocks_[i].is_empty ? nullptr : &smooth_[i]; }, covered, covered_bend, covered_bend2,
           [&](std::size_t k, const std::optional<ContactHeat>& heat) {
             if (!heat) return;
             auto cover = std::find_if(covers_[s].begin(), covers_[s].end(), [&](const Cover& c) { return c.heat == *heat; });
-            if (cover == covers_[s].end()) cover = covers_[s].insert(cover, Cover{*heat, {}, {}});
+            if (cover == covers_[s].end()) cover = covers_[s].insert(cover, Cover{*heat, {}, {}, {}});
             cover->density[k] = covered[k];
             cover->bend[k] = covered_bend[k];
+            cover->bend2[k] = covered_bend2[k];
             if (heat->giver < 0) return;
             auto share = std::find_if(shares_[s].begin(), shares_[s].end(), [&](const Share& h) { return h.giver == heat->giver; });
             if (share == shares_[s].end()) share = shares_[s].insert(share, Share{heat->giver, *heat, {}});
@@ -400,22 +406,24 @@ const typename FreeSurfaceMeasure<Real>::Nodes* FreeSurfaceMeasure<Real>::of_cov
 
 /// Blurred r and r K of a block. False, and nothing done, if there is none around.
 template <class Real>
-template <class DensityOf, class BendOf>
-bool FreeSurfaceMeasure<Real>::find_blurred(std::size_t s, const ActiveBlocks& active, DensityOf density_of, BendOf bend_of, Nodes& r,
-                                            Nodes& bend) const {
+template <class DensityOf, class BendOf, class Bend2Of>
+bool FreeSurfaceMeasure<Real>::find_blurred(std::size_t s, const ActiveBlocks& active, DensityOf density_of, BendOf bend_of,
+                                            Bend2Of bend2_of, Nodes& r, Nodes& bend, Nodes& bend2) const {
   Halo<Real, k_narrow> halo;
   if (!load_halo<k_narrow>(active.around[s], density_of, halo)) return false;
   blur(halo, Real(1), r);
   load_halo<k_narrow>(active.around[s], bend_of, halo);
   blur(halo, Real(1), bend);
+  load_halo<k_narrow>(active.around[s], bend2_of, halo);
+  blur(halo, Real(1), bend2);
   return true;
 }
 
 /// A = V r f with blurred r, and what passes: the layer between the nodes and the surface conducts as well.
 template <class Real>
-typename FreeSurfaceMeasure<Real>::Passing FreeSurfaceMeasure<Real>::passing(std::size_t s, std::size_t k, Real r, Real bend,
+typename FreeSurfaceMeasure<Real>::Passing FreeSurfaceMeasure<Real>::passing(std::size_t s, std::size_t k, Real r, Real bend, Real bend2,
                                                                              Real beta) const {
-  const Real V = volume_[s][k], A = V * r * unrounded(r, bend, rounding_);
+  const Real V = volume_[s][k], A = V * r * unrounded(r, bend, bend2, rounding_);
   return {A, conductivity_.empty() ? A : A * layer_.share_that_passes(beta * V, conductivity_[s][k])};
 }
 
@@ -427,14 +435,14 @@ bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& activ
   }
   if (!blocks_[s].has_volume) return false;
   bool any = false;
-  const auto add = [&](auto density_of, auto bend_of, Real(&area)[k_block_nodes], const ContactHeat& heat) {
-    Nodes r, bend;
-    if (!find_blurred(s, active, density_of, bend_of, r, bend)) return;
+  const auto add = [&](auto density_of, auto bend_of, auto bend2_of, Real(&area)[k_block_nodes], const ContactHeat& heat) {
+    Nodes r, bend, bend2;
+    if (!find_blurred(s, active, density_of, bend_of, bend2_of, r, bend, bend2)) return;
     if (!any) out = {};
     any = true;
     if (!heat.is_simple()) {
       for (std::size_t k = 0; k < k_block_nodes; ++k) {
-        const Real A = passing(s, k, r[k], bend[k], Real(0)).area;
+        const Real A = passing(s, k, r[k], bend[k], bend2[k], Real(0)).area;
         const auto [transfer, source] = through(s, k, A, heat);
         area[k] += A;
         out.heat_transfer[k] += transfer;
@@ -445,18 +453,19 @@ bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& activ
     const auto beta = static_cast<Real>(heat.heat_transfer_coefficient),
                beta_theta = static_cast<Real>(heat.heat_transfer_coefficient * heat.temperature);
     for (std::size_t k = 0; k < k_block_nodes; ++k) {
-      const auto [A, passes] = passing(s, k, r[k], bend[k], beta);
+      const auto [A, passes] = passing(s, k, r[k], bend[k], bend2[k], beta);
       area[k] += A;
       out.heat_transfer[k] += beta * passes;
       out.heat_transfer_source[k] += beta_theta * passes;
     }
   };
   add([&](std::size_t i) { return blocks_[i].has_density ? &density_[i] : nullptr; },
-      [&](std::size_t i) { return blocks_[i].has_density ? &bend_[i] : nullptr; }, out.area,
+      [&](std::size_t i) { return blocks_[i].has_density ? &bend_[i] : nullptr; },
+      [&](std::size_t i) { return blocks_[i].has_density ? &bend2_[i] : nullptr; }, out.area,
       ContactHeat{air.heat_transfer_coefficient, air.temperature});
   for (const ContactHeat& heat : heats_)
     add([&](std::size_t i) { return of_cover(i, heat, &Cover::density); }, [&](std::size_t i) { return of_cover(i, heat, &Cover::bend); },
-        out.contact_area, heat);
+        [&](std::size_t i) { return of_cover(i, heat, &Cover::bend2); }, out.contact_area, heat);
   return any;
 }
 
@@ -484,15 +493,16 @@ void FreeSurfaceMeasure<Real>::tell(std::size_t s, const ActiveBlocks& active,
       const auto share = std::find_if(shares_[i].begin(), shares_[i].end(), [&](const Share& h) { return h.giver == number; });
       return share == shares_[i].end() ? nullptr : &share->density;
     };
-    Nodes all, bend, own, same;
+    Nodes all, bend, bend2, own, same, same2;
     find_blurred(
         s, active, [&, &heat = heat](std::size_t i) { return of_cover(i, heat, &Cover::density); },
-        [&, &heat = heat](std::size_t i) { return of_cover(i, heat, &Cover::bend); }, all, bend);
-    find_blurred(s, active, of_giver, of_giver, own, same);
+        [&, &heat = heat](std::size_t i) { return of_cover(i, heat, &Cover::bend); },
+        [&, &heat = heat](std::size_t i) { return of_cover(i, heat, &Cover::bend2); }, all, bend, bend2);
+    find_blurred(s, active, of_giver, of_giver, of_giver, own, same, same2);
     for (std::size_t k = 0; k < k_block_nodes; ++k) {
       if (!(own[k] > 0)) continue;
       const auto beta = static_cast<Real>(heat.is_simple() ? heat.heat_transfer_coefficient : 0);
-      const Passing of_all = passing(s, k, all[k], bend[k], beta);
+      const Passing of_all = passing(s, k, all[k], bend[k], bend2[k], beta);
       const double share = double(own[k] / all[k]), simple = double(beta * of_all.passes);
       const auto [transfer, source] =
           heat.is_simple() ? std::pair(simple, simple * heat.temperature) : std::pair<double, double>(through(s, k, of_all.area, heat));

@@ -352,12 +352,12 @@ TEST(ALonelyParticle, FallsAndBakesAndIsKept) {
 }
 
 /// How far a spinning particle's volume comes from what it was, in two seconds without gravity.
-double swelling(const char* safety) {
+double swelling(const std::string& time) {
   Dough dough = lonely("motion, elasticity");
   dough.material = Dough::changed({{"poisson_ratio", "0.49"}, {"initial_porosity", "1e-6"}});
   dough.gravity = "[0, 0, 0]";
   dough.body = "angular_velocity_rad_per_s = [0.3, 0.2, 0.1]";
-  dough.tables = std::string("[time]\nsafety = ") + safety + "\n";
+  dough.tables = "[time]\n" + time;
   const Scene scene = dough.scene();
   const auto one = Simulation::begin(scene);
   EXPECT_EQ(one->particles(), 1u);
@@ -370,12 +370,10 @@ double swelling(const char* safety) {
   return most;
 }
 
-/// It vibrates faster than a cell's waves, by sqrt(12 K / rho) / dx, which is stable for a safety below 1 / sqrt(3) where K is nearly all
-/// of its stiffness.
-TEST(ALonelyParticle, VibratesWithoutGrowingAtTheDefaultSafety) {
-  EXPECT_LT(swelling("0.5"), 1e-3);
-  EXPECT_LT(swelling("0.57"), 1e-3);
-  EXPECT_GT(swelling("0.59"), 0.1);
+/// It vibrates faster than a cell's waves, by sqrt(12 K / rho) / dx, which is stable for a safety below 1 / sqrt(3) only where K is nearly
+/// all of its stiffness: the step has a limit of its own for it.
+TEST(ALonelyParticle, VibratesWithoutGrowingWhateverTheSafety) {
+  for (const char* safety : {"safety = 0.5\n", "safety = 0.75\n", "safety = 1\n"}) EXPECT_LT(swelling(safety), 1e-3);
 }
 
 TEST(TwoParticlesAtOnePlace, MoveAsOne) {

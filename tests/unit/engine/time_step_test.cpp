@@ -14,7 +14,7 @@ constexpr double k_dx = 0.1;
 
 /// Maxima over the particles, [m^2/s^2], [m^2/s] and [1/s^2].
 struct Most {
-  double speed2 = 0, sound_speed2 = 0, heat = 0, water = 0, deformation2 = 0;
+  double speed2 = 0, sound_speed2 = 0, own_frequency2 = 0, heat = 0, water = 0, deformation2 = 0;
 };
 
 StepLimit limit(const Most& most, double contact_speed = 0, const std::string& tables = "[motion]\ngravity_m_per_s2 = [0, 0, 0]\n") {
@@ -22,6 +22,7 @@ StepLimit limit(const Most& most, double contact_speed = 0, const std::string& t
   const auto physics = make_physics<double>(scene);
   const std::map<std::string, double> numbers{{"speed_squared", most.speed2},
                                               {"sound_speed_squared", most.sound_speed2},
+                                              {"own_frequency_squared", most.own_frequency2},
                                               {"deformation_rate_squared", most.deformation2},
                                               {"heat_diffusivity", most.heat},
                                               {"water_diffusivity", most.water}};
@@ -38,6 +39,12 @@ TEST(TheTimeStep, LetsNoWaveCrossMoreThanHalfACell) {
   EXPECT_DOUBLE_EQ(found.dt, 0.5 * k_dx / 20);
   EXPECT_STREQ(found.reason, "stiffness (elastic, pore gas and water)");
 }
+TEST(TheTimeStep, IsBelowTwoOverTheFrequencyOfAParticleAlone) { EXPECT_DOUBLE_EQ(limit({.own_frequency2 = 100}).dt, 0.9 * 2 / 10); }
+TEST(TheTimeStep, IsNoneOnceAVolumeIsNone) {
+  const StepLimit found = limit({.own_frequency2 = k_infinity});
+  EXPECT_EQ(found.dt, 0);
+  EXPECT_STREQ(found.reason, "a particle's volume fell to zero");
+}
 TEST(TheTimeStep, KeepsExplicitConductionStable) { EXPECT_DOUBLE_EQ(limit({.heat = 0.01}).dt, 0.5 * k_dx * k_dx / 0.03); }
 TEST(TheTimeStep, KeepsWaterDiffusionStable) { EXPECT_DOUBLE_EQ(limit({.water = 0.02}).dt, 0.5 * k_dx * k_dx / 0.06); }
 TEST(TheTimeStep, KeepsTheDeformationOfAStepBelowAHalf) { EXPECT_DOUBLE_EQ(limit({.deformation2 = 100}).dt, 0.05); }
@@ -45,6 +52,7 @@ TEST(TheTimeStep, LetsNoParticleTravelBeyondItsShareOfACell) { EXPECT_DOUBLE_EQ(
 TEST(TheTimeStep, LetsNoColliderTravelBeyondIt) { EXPECT_DOUBLE_EQ(limit({.speed2 = 9}, 6).dt, 0.3 * k_dx / 6); }
 TEST(TheTimeStep, LetsNothingFallBeyondIt) {
   EXPECT_DOUBLE_EQ(limit({}, 0, "[motion]\ngravity_m_per_s2 = [0, 0, -10]\n").dt, std::sqrt(0.3 * k_dx / 10));
+  EXPECT_DOUBLE_EQ(limit({}, 0, "[motion]\ngravity_m_per_s2 = [0, 0, -10]\ninertia_scale = 100\n").dt, std::sqrt(0.3 * k_dx / 0.1));
 }
 TEST(TheTimeStep, IsTheSmallestOfAllLimits) {
   const Most all{.speed2 = 1, .sound_speed2 = 1e4, .heat = 1e-3, .water = 1e-3, .deformation2 = 1};
