@@ -103,12 +103,12 @@ struct Bent {
 };
 
 /// r with what smoothing by sigma^2 = 0.83 dx^2 (cubic: 0.91) took off it: sigma^2 K^2 / 2 of a surface with the curvatures' sum K, and at
-/// edges 7.5 times the variance of K dx, less that of noise and of levels one within the other.
+/// edges 9 times the variance of K dx, less that of noise and of levels one within the other.
 double unrounded(const Recipe& recipe, const Bent& bent) {
   const double half_variance = recipe.kernel == Kernel::quadratic ? 0.415 : 0.457;
   if (!(bent.r > 0)) return 0;
-  const double K = bent.r_K / bent.r, variance = bent.r_K2 / bent.r - std::pow(K, 2) - 0.01 - 0.06 * std::pow(K, 4);
-  return bent.r * (1 + std::min(half_variance * K * K, 0.5) + std::min(7.5 * std::max(variance, 0.0), 1.0));
+  const double K = bent.r_K / bent.r, variance = bent.r_K2 / bent.r - std::pow(K, 2) - 0.01 - 0.03 * std::pow(K, 4);
+  return bent.r * (1 + std::min(half_variance * K * K, 0.5) + std::min(9 * std::max(variance, 0.0), 1.0));
 }
 
 /// r = |grad psi| / phi, r K dx and r K^2 dx^2 of nodes.
@@ -121,6 +121,18 @@ struct Density {
   Bent around(const Index& i) const { return {blurred(r, i), blurred(r_K, i), blurred(r_K2, i)}; }
 };
 
+/// K dx = -(tr H - n.H n) / |grad phi|, n = grad phi / |grad phi|, from the gradient times dx; nothing where phi is level.
+double curvature(const Field (&slope)[3], const Index& i) {
+  const Vector n{{slope[0](i), slope[1](i), slope[2](i)}};
+  double trace = 0, along = 0;
+  for (int d = 0; d < 3; ++d) {
+    const Vector H_d = slope[d].grid.dx() * gradient(slope[d], i);
+    trace += H_d[d];
+    along += n[d] * dot(H_d, n);
+  }
+  return (along - trace * dot(n, n)) / std::pow(dot(n, n) + 0.02 * 0.02, 1.5);
+}
+
 /// The surface of what fills the nodes, and the outward normal; zero where there is none.
 struct Levels : Density {
   Field normal[3];
@@ -128,21 +140,20 @@ struct Levels : Density {
     constexpr double k_no_dough = 1e-3;
     const double dx = grid.dx();
     Field phi{grid}, psi{grid};
-    Field direction[3] = {Field{grid}, Field{grid}, Field{grid}};
+    Field slope[3] = {Field{grid}, Field{grid}, Field{grid}};
     grid.for_each([&](const Index& i, const Node&) {
       psi[i] = std::clamp((fill(i) - 0.2) / 0.6, 0.0, 1.0);
       phi[i] = fill(i) < k_no_dough ? 0 : fill(i);
     });
     grid.for_each([&](const Index& i, const Node&) {
       const Vector g = dx * gradient(phi, i);
-      for (int d = 0; d < 3; ++d) direction[d][i] = g[d] / std::sqrt(dot(g, g) + 0.02 * 0.02);
+      for (int d = 0; d < 3; ++d) slope[d][i] = g[d];
     });
     grid.for_each([&](const Index& i, const Node&) {
       const Vector g = gradient(psi, i);
       if (fill(i) < k_no_dough || length(g) == 0) return;
-      double divergence = 0;
-      for (int d = 0; d < 3; ++d) divergence += gradient(direction[d], i)[d], normal[d][i] = -g[d] / length(g);
-      const double K = -dx * divergence;
+      for (int d = 0; d < 3; ++d) normal[d][i] = -g[d] / length(g);
+      const double K = curvature(slope, i);
       r[i] = length(g) / fill(i);
       r_K[i] = r[i] * K;
       r_K2[i] = r[i] * K * K;
@@ -172,7 +183,7 @@ void measure_surface(const Surroundings& surroundings, Grid& grid) {
       const Vector outward{{levels.normal[0](i), levels.normal[1](i), levels.normal[2](i)}};
       const Solid* cover = covering(surroundings, grid.position(i), &outward, 2.5 * dx);
       if (solid != (cover != nullptr)) return;
-      const bool ends = !solid && fill(i) != smooth(i);  // where a free face meets a solid it ends: that is no edge
+      const bool ends = solid || fill(i) != smooth(i);  // where a free face meets a solid it ends: that is no edge
       if (!cover) free.take(levels, i, ends);
       const Behind behind(cover, surroundings.air);
       const auto same = [&](const Behind& other) {

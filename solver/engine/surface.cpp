@@ -131,35 +131,53 @@ struct Gradient {
   Real squared(int i) const { return along[0].at[i] * along[0].at[i] + along[1].at[i] * along[1].at[i] + along[2].at[i] * along[2].at[i]; }
 };
 
-/// dx (k_1 + k_2) = -dx div n, the sum of the principal curvatures of the levels of phi, positive on a ball; n = grad phi / |grad phi|. The
-/// slope k_level keeps it finite where phi is level. Of the block's own nodes.
+/// 128^2 times the second differences of phi over two nodes, smoothed as their gradient is.
+template <class Real>
+struct Hessian {
+  static constexpr int k_x = k_after_z<k_wide> - 2 * k_plane<k_wide>, k_xy = k_x - 2 * k_line, k_xyz = k_xy - 2;
+  static_assert(halo_index<k_wide>(3, 3, 3) < k_xyz);
+  Numbers<Real, k_xyz> xx, xy, xz, yy, yz, zz;
+  explicit Hessian(const Gradient<Real, k_wide>& g) {
+    const auto& [along_x, along_y, along_z] = g.along;
+    Numbers<Real, k_x> x;
+    Numbers<Real, k_xy> y;
+    difference<k_plane<k_wide>>(along_x, x);
+    sum<k_line>(x, Real(6), y);
+    sum<1>(y, Real(6), xx);
+    sum<k_plane<k_wide>>(along_x, Real(6), x);
+    difference<k_line>(x, y);
+    sum<1>(y, Real(6), xy);
+    sum<k_line>(x, Real(6), y);
+    difference<1>(y, xz);
+    sum<k_plane<k_wide>>(along_y, Real(6), x);
+    difference<k_line>(x, y);
+    sum<1>(y, Real(6), yy);
+    sum<k_line>(x, Real(6), y);
+    difference<1>(y, yz);
+    sum<k_plane<k_wide>>(along_z, Real(6), x);
+    sum<k_line>(x, Real(6), y);
+    difference<1>(y, zz);
+  }
+};
+
+/// dx (k_1 + k_2) = -dx div n, the sum of the principal curvatures of the levels of phi, positive on a ball; n = g / |g|, g = grad phi. As
+/// -(tr H - n.H n) / |g|, which knows nothing of how fast phi changes along n: between the two faces of a sheet it is level. The slope
+/// k_level keeps it finite there. Of the block's own nodes.
 template <class Real>
 void find_curvature(const Halo<Real, k_wide>& phi, std::array<Real, k_block_nodes>& out) {
   constexpr Real k_level = Real(0.02 * 128);
-  constexpr int k_normals = k_after_z<k_wide>, k_x = k_normals - 2 * k_plane<k_wide>, k_xy = k_x - 2 * k_line, k_xyz = k_xy - 2;
-  static_assert(halo_index<k_wide>(3, 3, 3) < k_xyz);
-  Gradient<Real, k_wide> n(phi);
-  for (int i = 0; i < k_normals; ++i) {
-    const Real inverse = 1 / std::sqrt(n.squared(i) + k_level * k_level);
-    for (auto& along : n.along) along.at[i] *= inverse;
-  }
-  Numbers<Real, k_x> x[3];
-  difference<k_plane<k_wide>>(n.along[0], x[0]);
-  sum<k_plane<k_wide>>(n.along[1], Real(6), x[1]);
-  sum<k_plane<k_wide>>(n.along[2], Real(6), x[2]);
-  Numbers<Real, k_xy> xy[3];
-  sum<k_line>(x[0], Real(6), xy[0]);
-  difference<k_line>(x[1], xy[1]);
-  sum<k_line>(x[2], Real(6), xy[2]);
-  Numbers<Real, k_xyz> xyz[3];
-  sum<1>(xy[0], Real(6), xyz[0]);
-  sum<1>(xy[1], Real(6), xyz[1]);
-  difference<1>(xy[2], xyz[2]);
+  const Gradient<Real, k_wide> gradient(phi);
+  const Hessian<Real> H(gradient);
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
       for (int k = 0; k < 4; ++k) {
-        const int at = halo_index<k_wide>(i, j, k);
-        out[static_cast<std::size_t>(node_in_block(i, j, k))] = (xyz[0].at[at] + xyz[1].at[at] + xyz[2].at[at]) * Real(-1. / 128);
+        const int at = halo_index<k_wide>(i, j, k), of_g = halo_index<k_wide>(i + 1, j + 1, k + 1);
+        const Real x = gradient.along[0].at[of_g], y = gradient.along[1].at[of_g], z = gradient.along[2].at[of_g];
+        const Real xx = H.xx.at[at], yy = H.yy.at[at], zz = H.zz.at[at];
+        const Real across = (y * y + z * z) * xx + (x * x + z * z) * yy + (x * x + y * y) * zz -
+                            2 * (x * y * H.xy.at[at] + x * z * H.xz.at[at] + y * z * H.yz.at[at]);
+        const Real slope = std::sqrt(x * x + y * y + z * z + k_level * k_level);
+        out[static_cast<std::size_t>(node_in_block(i, j, k))] = across / (slope * slope * slope) * Real(-1. / 128);
       }
 }
 
@@ -221,12 +239,12 @@ bool is_constant(const Numbers<Real, count>& in) {
 /// k_2)/2 towards the centre, which leaves 1 - sigma^2/2 (k_1 + k_2)^2 of its area. Bounded where the surface bends within a cell.
 /// An edge bends within less than K is averaged over, and shows by how much K varies there: the loss goes with the integral of that
 /// variance. Taken off it are the noise of particles, 0.01, and what levels one within the other vary by: 2/r on a ball, dK/dr = -K^2/2,
-/// over half a dx. The factor is fitted to right angles (paper/surface.md: cubes and cylinders at any angle and size).
+/// over a third of dx. The factor is fitted to right angles (paper/surface.md: cubes and cylinders at any angle and size).
 template <class Real>
-Real unrounded(Real r, Real bend, Real bend2, double half_variance) {
-  constexpr Real k_most = Real(0.5), k_edge = Real(7.5), k_noise = Real(0.01), k_levels = Real(0.06), k_edge_most = Real(1);
+Real unrounded(Real r, Real bend, Real edge, double half_variance) {
+  constexpr Real k_most = Real(0.5), k_edge = Real(9), k_noise = Real(0.01), k_levels = Real(0.03), k_edge_most = Real(1);
   const Real inverse = r > 0 ? 1 / r : Real(0), K = bend * inverse, K2 = K * K;
-  const Real varies = std::max(bend2 * inverse - K2 - k_noise - k_levels * K2 * K2, Real(0));
+  const Real varies = std::max(edge * inverse - K2 - k_noise - k_levels * K2 * K2, Real(0));
   return 1 + std::min(static_cast<Real>(half_variance) * K2, k_most) + std::min(k_edge * varies, k_edge_most);
 }
 
@@ -245,7 +263,7 @@ void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volum
   layer_ = layer;
   rounding_ = rounding;
   conductivity_.resize(conductivity_channel < 0 ? 0 : n);
-  for (auto* field : {&volume_, &mirrored_, &smooth_, &filled_, &density_, &bend_, &bend2_}) field->resize(n);
+  for (auto* field : {&volume_, &mirrored_, &smooth_, &filled_, &density_, &bend_, &edge_}) field->resize(n);
   covers_.resize(n);
   shares_.resize(n);
   blocks_.assign(n, {});
@@ -332,7 +350,7 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
   if (blocks_[s].is_empty || std::all_of(active.around[s].begin(), active.around[s].end(), is_full)) return;
   const double dx = geometry.dx();
   // from phi of the nodes around; visit(node, heat of the solid in front of it) where there is a surface
-  const auto measure = [&](auto phi_of, Nodes& r, Nodes& bend, Nodes& bend2, auto visit) {
+  const auto measure = [&](auto phi_of, Nodes& r, Nodes& bend, auto visit) {
     Halo<Real, k_narrow> psi;
     load_halo<k_narrow>(active.around[s], phi_of, psi);
     constexpr Real k_outside = Real(0.2), k_slope = 1 / (k_full - k_outside);
@@ -350,7 +368,7 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
     load_halo<k_wide>(active.around[s], phi_of, phi);
     for (Real& value : phi.at) value = value < k_no_dough ? Real(0) : value;  // as in blocks that are empty
     find_curvature(phi, bend);
-    for (std::size_t k = 0; k < k_block_nodes; ++k) bend2[k] = r[k] * bend[k] * bend[k], bend[k] *= r[k];
+    for (std::size_t k = 0; k < k_block_nodes; ++k) bend[k] *= r[k];
     if (!blocks_[s].is_beside) return;
     for (std::size_t k = 0; k < k_block_nodes; ++k) {
       if (r[k] == 0) continue;
@@ -360,26 +378,29 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
       visit(k, contacts.covering(Place(geometry, active.at[s], static_cast<int>(k)), (-1 / length(inward)) * inward, k_reach * dx));
     }
   };
-  Nodes &r = density_[s], &bend = bend_[s], &bend2 = bend2_[s];
+  Nodes &r = density_[s], &bend = bend_[s], &edge = edge_[s];
   r.fill(0);
   measure([&](std::size_t i) { return blocks_[i].is_empty    ? nullptr
                                       : blocks_[i].is_beside ? &filled_[i]
-                                                             : &smooth_[i]; }, r, bend, bend2,
+                                                             : &smooth_[i]; }, r, bend,
           [&](std::size_t k, const std::optional<ContactHeat>& heat) {
             if (heat) r[k] = bend[k] = 0;
-            if (heat || filled_[s][k] != smooth_[s][k]) bend2[k] = 0;  // where it meets a solid it ends: that is no edge
           });
   blocks_[s].has_density = any_positive(r);
+  if (blocks_[s].has_density)
+    for (std::size_t k = 0; k < k_block_nodes; ++k) {
+      const bool ends = blocks_[s].is_beside && filled_[s][k] != smooth_[s][k];  // at a solid, which is no edge
+      edge[k] = r[k] > 0 && !ends ? bend[k] * bend[k] / r[k] : Real(0);
+    }
   if (!blocks_[s].is_beside) return;
-  Nodes covered{}, covered_bend, covered_bend2;
-  measure([&](std::size_t i) { return blocks_[i].is_empty ? nullptr : &smooth_[i]; }, covered, covered_bend, covered_bend2,
+  Nodes covered{}, covered_bend;
+  measure([&](std::size_t i) { return blocks_[i].is_empty ? nullptr : &smooth_[i]; }, covered, covered_bend,
           [&](std::size_t k, const std::optional<ContactHeat>& heat) {
             if (!heat) return;
             auto cover = std::find_if(covers_[s].begin(), covers_[s].end(), [&](const Cover& c) { return c.heat == *heat; });
-            if (cover == covers_[s].end()) cover = covers_[s].insert(cover, Cover{*heat, {}, {}, {}});
+            if (cover == covers_[s].end()) cover = covers_[s].insert(cover, Cover{*heat, {}, {}});
             cover->density[k] = covered[k];
             cover->bend[k] = covered_bend[k];
-            cover->bend2[k] = covered_bend2[k];
             if (heat->giver < 0) return;
             auto share = std::find_if(shares_[s].begin(), shares_[s].end(), [&](const Share& h) { return h.giver == heat->giver; });
             if (share == shares_[s].end()) share = shares_[s].insert(share, Share{heat->giver, *heat, {}});
@@ -404,26 +425,21 @@ const typename FreeSurfaceMeasure<Real>::Nodes* FreeSurfaceMeasure<Real>::of_cov
   return nullptr;
 }
 
-/// Blurred r and r K of a block. False, and nothing done, if there is none around.
+/// Averages a field of the blocks around. False, and nothing done, if there is none.
 template <class Real>
-template <class DensityOf, class BendOf, class Bend2Of>
-bool FreeSurfaceMeasure<Real>::find_blurred(std::size_t s, const ActiveBlocks& active, DensityOf density_of, BendOf bend_of,
-                                            Bend2Of bend2_of, Nodes& r, Nodes& bend, Nodes& bend2) const {
+template <class FieldOf>
+bool FreeSurfaceMeasure<Real>::blurred(std::size_t s, const ActiveBlocks& active, FieldOf field_of, Nodes& out) const {
   Halo<Real, k_narrow> halo;
-  if (!load_halo<k_narrow>(active.around[s], density_of, halo)) return false;
-  blur(halo, Real(1), r);
-  load_halo<k_narrow>(active.around[s], bend_of, halo);
-  blur(halo, Real(1), bend);
-  load_halo<k_narrow>(active.around[s], bend2_of, halo);
-  blur(halo, Real(1), bend2);
+  if (!load_halo<k_narrow>(active.around[s], field_of, halo)) return false;
+  blur(halo, Real(1), out);
   return true;
 }
 
 /// A = V r f with blurred r, and what passes: the layer between the nodes and the surface conducts as well.
 template <class Real>
-typename FreeSurfaceMeasure<Real>::Passing FreeSurfaceMeasure<Real>::passing(std::size_t s, std::size_t k, Real r, Real bend, Real bend2,
+typename FreeSurfaceMeasure<Real>::Passing FreeSurfaceMeasure<Real>::passing(std::size_t s, std::size_t k, Real r, Real bend, Real edge,
                                                                              Real beta) const {
-  const Real V = volume_[s][k], A = V * r * unrounded(r, bend, bend2, rounding_);
+  const Real V = volume_[s][k], A = V * r * unrounded(r, bend, edge, rounding_);
   return {A, conductivity_.empty() ? A : A * layer_.share_that_passes(beta * V, conductivity_[s][k])};
 }
 
@@ -435,14 +451,16 @@ bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& activ
   }
   if (!blocks_[s].has_volume) return false;
   bool any = false;
-  const auto add = [&](auto density_of, auto bend_of, auto bend2_of, Real(&area)[k_block_nodes], const ContactHeat& heat) {
-    Nodes r, bend, bend2;
-    if (!find_blurred(s, active, density_of, bend_of, bend2_of, r, bend, bend2)) return;
+  const auto add = [&](auto density_of, auto bend_of, auto edge_of, Real(&area)[k_block_nodes], const ContactHeat& heat) {
+    Nodes r, bend, edge{};
+    if (!blurred(s, active, density_of, r)) return;
+    blurred(s, active, bend_of, bend);
+    blurred(s, active, edge_of, edge);
     if (!any) out = {};
     any = true;
     if (!heat.is_simple()) {
       for (std::size_t k = 0; k < k_block_nodes; ++k) {
-        const Real A = passing(s, k, r[k], bend[k], bend2[k], Real(0)).area;
+        const Real A = passing(s, k, r[k], bend[k], edge[k], Real(0)).area;
         const auto [transfer, source] = through(s, k, A, heat);
         area[k] += A;
         out.heat_transfer[k] += transfer;
@@ -453,19 +471,19 @@ bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& activ
     const auto beta = static_cast<Real>(heat.heat_transfer_coefficient),
                beta_theta = static_cast<Real>(heat.heat_transfer_coefficient * heat.temperature);
     for (std::size_t k = 0; k < k_block_nodes; ++k) {
-      const auto [A, passes] = passing(s, k, r[k], bend[k], bend2[k], beta);
+      const auto [A, passes] = passing(s, k, r[k], bend[k], edge[k], beta);
       area[k] += A;
       out.heat_transfer[k] += beta * passes;
       out.heat_transfer_source[k] += beta_theta * passes;
     }
   };
-  add([&](std::size_t i) { return blocks_[i].has_density ? &density_[i] : nullptr; },
-      [&](std::size_t i) { return blocks_[i].has_density ? &bend_[i] : nullptr; },
-      [&](std::size_t i) { return blocks_[i].has_density ? &bend2_[i] : nullptr; }, out.area,
-      ContactHeat{air.heat_transfer_coefficient, air.temperature});
+  const auto of_air = [&](const std::vector<Nodes>& field) {
+    return [&](std::size_t i) { return blocks_[i].has_density ? &field[i] : nullptr; };
+  };
+  add(of_air(density_), of_air(bend_), of_air(edge_), out.area, ContactHeat{air.heat_transfer_coefficient, air.temperature});
   for (const ContactHeat& heat : heats_)
     add([&](std::size_t i) { return of_cover(i, heat, &Cover::density); }, [&](std::size_t i) { return of_cover(i, heat, &Cover::bend); },
-        [&](std::size_t i) { return of_cover(i, heat, &Cover::bend2); }, out.contact_area, heat);
+        [](std::size_t) -> const Nodes* { return nullptr; }, out.contact_area, heat);
   return any;
 }
 
@@ -493,16 +511,16 @@ void FreeSurfaceMeasure<Real>::tell(std::size_t s, const ActiveBlocks& active,
       const auto share = std::find_if(shares_[i].begin(), shares_[i].end(), [&](const Share& h) { return h.giver == number; });
       return share == shares_[i].end() ? nullptr : &share->density;
     };
-    Nodes all, bend, bend2, own, same, same2;
-    find_blurred(
-        s, active, [&, &heat = heat](std::size_t i) { return of_cover(i, heat, &Cover::density); },
-        [&, &heat = heat](std::size_t i) { return of_cover(i, heat, &Cover::bend); },
-        [&, &heat = heat](std::size_t i) { return of_cover(i, heat, &Cover::bend2); }, all, bend, bend2);
-    find_blurred(s, active, of_giver, of_giver, of_giver, own, same, same2);
+    Nodes all, bend, own;
+    if (!blurred(s, active, of_giver, own)) continue;
+    blurred(
+        s, active, [&, &heat = heat](std::size_t i) { return of_cover(i, heat, &Cover::density); }, all);
+    blurred(
+        s, active, [&, &heat = heat](std::size_t i) { return of_cover(i, heat, &Cover::bend); }, bend);
     for (std::size_t k = 0; k < k_block_nodes; ++k) {
       if (!(own[k] > 0)) continue;
       const auto beta = static_cast<Real>(heat.is_simple() ? heat.heat_transfer_coefficient : 0);
-      const Passing of_all = passing(s, k, all[k], bend[k], bend2[k], beta);
+      const Passing of_all = passing(s, k, all[k], bend[k], Real(0), beta);
       const double share = double(own[k] / all[k]), simple = double(beta * of_all.passes);
       const auto [transfer, source] =
           heat.is_simple() ? std::pair(simple, simple * heat.temperature) : std::pair<double, double>(through(s, k, of_all.area, heat));

@@ -5,9 +5,10 @@
 //     psi_i = clamp((phi~_i - 0.2) / 0.6, 0, 1)                takes out the noise inside
 //     S_i   = |grad psi|_i dx^3                                central differences, (1, 6, 1)/8 across
 //     r_i   = S_i / (phi~_i dx^3);  r <- B^T r
-//     K_i   = dx (k_1 + k_2) = -dx div(grad phi~ / |grad phi~|), averaged with r
+//     K_i   = dx (k_1 + k_2) = -dx div(grad phi~ / |grad phi~|) = -dx (tr H - n.H n) / |grad phi~|, averaged with r
 //     A_i   = V_i r_i (1 + min(c K_i^2, 0.5)                   puts back what smoothing took off curved surfaces
-//                        + min(7.5 max(E_i, 0), 1))            and off edges: E = <K^2> - <K>^2 - 0.01 - 0.06 <K>^4, averaged with r
+//                        + min(9 max(E_i, 0), 1))            and off edges: E = <K^2> - <K>^2 - 0.01 - 0.03 <K>^4, averaged with r
+// The last term is for air only: where dough meets a solid it has a corner of dough and solid, not an edge.
 // Beside a collider the dough fills what it is left: there phi~ is divided by that room, so that a free face goes on straight to the wall
 // and only what lies outside of the wall counts. Faces that colliders cover are measured without.
 // B^T only moves area onto nodes in proportion to the dough they carry, so that heat and vapour leave from where there is dough. Second
@@ -58,7 +59,7 @@ class FreeSurfaceMeasure {
                          int volume_column, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts,
                          const Air& air);
   std::size_t bytes() const {
-    return volume_.capacity() * (7 * sizeof(Nodes) + sizeof(Block)) + published_.capacity() * sizeof(BlockSurroundings<Real>);
+    return volume_.capacity() * (8 * sizeof(Nodes) + sizeof(Block)) + published_.capacity() * sizeof(BlockSurroundings<Real>);
   }
   /// What surrounds a block after either `measure`, or false if no surface is near. `air`: as given to measure_published.
   bool surround(std::size_t slot, const ActiveBlocks& active, const Air& air, BlockSurroundings<Real>& surroundings) const;
@@ -77,7 +78,7 @@ class FreeSurfaceMeasure {
   /// A solid in front of nodes of a block.
   struct Cover {
     ContactHeat heat;
-    Nodes density, bend, bend2;  ///< r, r K and r K^2 of those nodes
+    Nodes density, bend;  ///< r and r K of those nodes
   };
   /// Nodes of a block before which one giver stands.
   struct Share {
@@ -90,10 +91,9 @@ class FreeSurfaceMeasure {
     Real area, passes;
   };
   const Nodes* of_cover(std::size_t slot, const ContactHeat& heat, Nodes Cover::*nodes) const;
-  template <class DensityOf, class BendOf, class Bend2Of>
-  bool find_blurred(std::size_t slot, const ActiveBlocks& active, DensityOf density_of, BendOf bend_of, Bend2Of bend2_of, Nodes& r,
-                    Nodes& bend, Nodes& bend2) const;
-  Passing passing(std::size_t slot, std::size_t node, Real r, Real bend, Real bend2, Real beta) const;
+  template <class FieldOf>
+  bool blurred(std::size_t slot, const ActiveBlocks& active, FieldOf field_of, Nodes& out) const;
+  Passing passing(std::size_t slot, std::size_t node, Real r, Real bend, Real edge, Real beta) const;
   /// Heat transfer [W/K] through an area, and its source [W], where its temperature is held or a flux comes in.
   std::pair<Real, Real> through(std::size_t slot, std::size_t node, Real area, const ContactHeat& heat) const;
   void mirror(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
@@ -106,7 +106,7 @@ class FreeSurfaceMeasure {
   std::vector<Nodes> conductivity_;  ///< sum of w V kappa; empty if no layer resists heat
   SurfaceLayer<Real> layer_;
   double rounding_ = 0;
-  std::vector<Nodes> density_, bend_, bend2_;  ///< r, r K and r K^2 of nodes that touch air
+  std::vector<Nodes> density_, bend_, edge_;  ///< r, r K and r K^2 of nodes that touch air
   std::vector<std::vector<Cover>> covers_;
   std::vector<ContactHeat> heats_;          ///< of all covers, each once
   std::vector<std::vector<Share>> shares_;  ///< of those covers that a giver has

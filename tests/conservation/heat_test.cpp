@@ -143,7 +143,7 @@ heat_transfer_coefficient_W_per_m2K = 500
   const Sums now(*s);
   EXPECT_NEAR(now.heat, start.heat + now.exchanged - start.exchanged, 40e-12 * now.heat);
   const double contact = s->booked(booked::contact_area);
-  EXPECT_NEAR(contact, 0.25, 0.15 * 0.25);  // one face; edges are rounded within about a cell of eight
+  EXPECT_NEAR(contact, 0.25, 0.03 * 0.25);  // one face
   EXPECT_GT(now.exchanged, 0.8 * 0.04 * 500 * contact * 100);
 }
 

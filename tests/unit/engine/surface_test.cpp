@@ -6,11 +6,12 @@
 namespace bake {
 namespace {
 
-/// Area that the measure finds at the start of a scene [m^2].
-double measured_area(Dough dough) {
+/// Area that the measure finds at the start of a scene, touching air or a heated solid [m^2].
+template <class Area = booked::Area>
+double measured_area(Dough dough, Area area = {}) {
   dough.effects = "heat";
   dough.tables += "[oven]\nheat_transfer_coefficient_W_per_m2K = 1\n";
-  return dough.begin()->booked(booked::area);
+  return dough.begin()->booked(area);
 }
 
 double sphere_error(double cells, const char* precision) {
@@ -26,7 +27,8 @@ TEST(TheSurfaceOfASphere, IsMeasuredWithinAHundredthFromSixCellsOn) {
   for (const double cells : {6, 8, 12}) EXPECT_NEAR(sphere_error(cells, "double"), 0, 0.01) << cells;
   EXPECT_NEAR(sphere_error(6, "single"), 0, 0.01);
 }
-TEST(TheSurfaceOfASphere, IsMeasuredWithinAFewPercentAtThreeCells) { EXPECT_NEAR(sphere_error(3, "double"), 0, 0.04); }
+// There its curvature varies within a cell, and part of it is taken for an edge.
+TEST(TheSurfaceOfASphere, IsMeasuredWithinAFewPercentAtThreeCells) { EXPECT_NEAR(sphere_error(3, "double"), 0, 0.07); }
 
 TEST(TheSurface, IsTheSameForAnyNumberOfThreads) {
   const int threads = omp_get_max_threads();
@@ -90,6 +92,32 @@ TEST(ARackThatDoesNotCover, LeavesTheSurfaceAsItIsInTheAir) {
   const std::size_t key = dough.tables.find("covers");
   dough.tables.resize(key);
   EXPECT_LT(measured_area(dough), in_the_air - 0.06);  // half a dx on either side of the line at least
+}
+
+// A sheet has no edges; half way between its faces phi is level.
+TEST(ASheetFromMirrorToMirror, HasTwoFaces) {
+  for (const double cells : {3.0, 4.0, 5.0, 6.0}) {
+    Dough dough;
+    dough.dx = 0.1;
+    dough.low = {-0.4, -0.4, -1};
+    dough.high = {0.4, 0.4, 1};
+    dough.shape = fmt::format("box = {{ centre_m = [0, 0, 0.02], half_extents_m = [0.4, 0.4, {}] }}", cells * dough.dx / 2);
+    EXPECT_NEAR(measured_area(dough) / (2 * 0.64), 1, 0.02) << cells;
+  }
+}
+
+// Of dough and plate together there is no edge where they meet: what the plate covers is found without what edges get back.
+TEST(DoughOnAPlate, TouchesItWithItsFootprintAndTheAirWithTheRest) {
+  for (const double angle_deg : {0.0, 30.0}) {
+    Dough dough;
+    dough.dx = 1. / 16;
+    dough.shape = fmt::format("box = {{ half_extents_m = [0.4, 0.4, 0.25] }}, rotate_deg = [0, 0, {}]", angle_deg);
+    dough.tables =
+        "[[collider]]\nshape = { half_space = { point_m = [0, 0, -0.25], normal = [0, 0, 1] } }\ntemperature_C = 150\n"
+        "heat_transfer_coefficient_W_per_m2K = 500\n";
+    EXPECT_NEAR(measured_area(dough) / (0.64 + 4 * 0.8 * 0.5), 1, 0.04) << angle_deg;
+    EXPECT_NEAR(measured_area(dough, booked::contact_area) / 0.64, 1, 0.06) << angle_deg;
+  }
 }
 
 // Dough between faces that are a cell or a few apart is seen in both, to and fro. With one image in each face the area came out up to 2.7

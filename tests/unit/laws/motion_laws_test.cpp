@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Laws of motion: the volume that a particle carries along.
+#include <map>
+
 #include "solver/effects/motion.h"
 #include "solver/engine/physics.h"
 #include "tests/unit/engine/scene_of_everything.h"
@@ -109,6 +111,38 @@ TYPED_TEST(MotionLaw, AParticleLargerThanTheRoomOfItsNodesMayShrinkAndOpensNoFur
   const double opening[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   law.open(0.01, opening, 0.1);
   EXPECT_EQ(TestFixture::first(law.p[field::J]), 1);
+}
+
+/// Takes down what effects report.
+template <class Real>
+struct MostSeen {
+  std::map<std::string_view, double> seen;  ///< by symbol, of the first lane
+  void bound(auto quantity, Lanes<Real> value) { seen[decltype(quantity)::symbol] = static_cast<double>(value[0]); }
+};
+
+/// |frequency|^2 of the volume of 1 kg in a litre, of stiffness K + 4/3 mu = 7 Pa and mu = 3 Pa, d = 1/400 m^2.
+template <class Real>
+double own_frequency_squared(double J) {
+  using L = Law<Real>;
+  OneParticle<Real> law;
+  law.open(1, {0, 0, 0, 0, 0, 0, 0, 0, 0}, 0.1);
+  law.p[field::m_s] = L::all(1);
+  law.p[field::J] = L::all(J);
+  law.p.stiffness = L::all(7);
+  law.p.shear_stiffness = L::all(3);
+  law.step.inverse_d = 400;
+  MostSeen<Real> most;
+  Motion::bounds(law.p, law.k, law.step, most);
+  EXPECT_NEAR(most.seen.at(bound::sound_speed_squared.symbol), 7e-3, 7e-3 * 4 * L::eps);
+  return most.seen.at(bound::own_frequency_squared.symbol);
+}
+
+TYPED_TEST(MotionLaw, AParticleAloneVibratesByThreeBulkModuliOverItsDensityAndD) {
+  EXPECT_NEAR(own_frequency_squared<TypeParam>(1), 3 * (7 - 4) * 1e-3 * 400, 3.6 * 8 * TestFixture::eps);
+}
+
+TYPED_TEST(MotionLaw, AVolumeThatIsNoneLeavesNoStep) {
+  for (const double J : {0.0, -1e-24, -2.0}) EXPECT_EQ(own_frequency_squared<TypeParam>(J), k_infinity);
 }
 
 }  // namespace
