@@ -19,7 +19,7 @@ struct Place {
   Point x;                  ///< [m]
   std::int64_t block = -1;  ///< linear number of the node's block; -1: not a node
   std::size_t node = 0;
-  Place(const Point& point) : x(point) {}
+  Place(const Point& point) : x(point) {}  // NOLINT: a point is a place
   Place(const GridGeometry& geometry, const BlockIndex& block_of, int node_of)
       : x(node_position(geometry.origin(block_of), geometry.dx(), node_of)),
         block(static_cast<std::int64_t>(geometry.linear(block_of))),
