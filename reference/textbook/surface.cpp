@@ -115,9 +115,8 @@ double unrounded(const Recipe& recipe, const Bent& bent) {
 struct Density {
   Field r, r_K, r_K2;
   explicit Density(const Grid& grid) : r{grid}, r_K{grid}, r_K2{grid} {}
-  void take(const Density& other, const Index& i, bool ends) {
-    r[i] = other.r(i), r_K[i] = other.r_K(i), r_K2[i] = ends ? 0 : other.r_K2(i);
-  }
+  /// `edge`: share of K^2 that counts as an edge's.
+  void take(const Density& other, const Index& i, double edge) { r[i] = other.r(i), r_K[i] = other.r_K(i), r_K2[i] = edge * other.r_K2(i); }
   Bent around(const Index& i) const { return {blurred(r, i), blurred(r_K, i), blurred(r_K2, i)}; }
 };
 
@@ -183,8 +182,8 @@ void measure_surface(const Surroundings& surroundings, Grid& grid) {
       const Vector outward{{levels.normal[0](i), levels.normal[1](i), levels.normal[2](i)}};
       const Solid* cover = covering(surroundings, grid.position(i), &outward, 2.5 * dx);
       if (solid != (cover != nullptr)) return;
-      const bool ends = solid || fill(i) != smooth(i);  // where a free face meets a solid it ends: that is no edge
-      if (!cover) free.take(levels, i, ends);
+      const double edge = solid ? 0 : std::max(1 - 24 * (1 - smooth(i) / fill(i)), 0.0);  // a face that meets a solid ends: that is no edge
+      if (!cover) free.take(levels, i, edge);
       const Behind behind(cover, surroundings.air);
       const auto same = [&](const Behind& other) {
         return other.is_solid == behind.is_solid && other.beta == behind.beta && other.theta == behind.theta && other.flux == behind.flux;
@@ -192,7 +191,7 @@ void measure_surface(const Surroundings& surroundings, Grid& grid) {
       const auto at = std::find_if(seen.begin(), seen.end(), same);
       const auto number = static_cast<std::size_t>(at - seen.begin());
       if (at == seen.end()) seen.push_back(behind), facing.emplace_back(grid);
-      facing[number].take(levels, i, ends);
+      facing[number].take(levels, i, edge);
     });
   }
   grid.for_each([&](const Index& i, Node& node) {

@@ -389,8 +389,8 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
   blocks_[s].has_density = any_positive(r);
   if (blocks_[s].has_density)
     for (std::size_t k = 0; k < k_block_nodes; ++k) {
-      const bool ends = blocks_[s].is_beside && filled_[s][k] != smooth_[s][k];  // at a solid, which is no edge
-      edge[k] = r[k] > 0 && !ends ? bend[k] * bend[k] / r[k] : Real(0);
+      const Real room = blocks_[s].is_beside && filled_[s][k] > 0 ? smooth_[s][k] / filled_[s][k] : Real(1);
+      edge[k] = r[k] > 0 ? bend[k] * bend[k] / r[k] * std::max(1 - k_ends * (1 - room), Real(0)) : Real(0);
     }
   if (!blocks_[s].is_beside) return;
   Nodes covered{}, covered_bend;
