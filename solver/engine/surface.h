@@ -8,7 +8,7 @@
 //     K_i   = dx (k_1 + k_2) = -dx div(grad phi~ / |grad phi~|) = -dx (tr H - n.H n) / |grad phi~|, averaged with r
 //     A_i   = V_i r_i (1 + min(c K_i^2, 0.5)                   puts back what smoothing took off curved surfaces
 //                        + min(9 max(E_i, 0), 1))            and off edges: E = <K^2> - <K>^2 - 0.01 - 0.03 <K>^4, averaged with r
-// The last term is for air only: where dough meets a solid it has a corner of dough and solid, not an edge.
+// The last term is for air only, and fades from 2.5 to 1.5 dx before a solid (k_ends): where dough meets one is a corner of both, no edge.
 // Beside a collider the dough fills what it is left: there phi~ is divided by that room, so that a free face goes on straight to the wall
 // and only what lies outside of the wall counts. Faces that colliders cover are measured without.
 // B^T only moves area onto nodes in proportion to the dough they carry, so that heat and vapour leave from where there is dough. Second
