@@ -139,7 +139,8 @@ std::vector<Probe> all_probes(bool quick) {
   for (const std::string kernel : {"quadratic", "cubic"}) {
     const auto add = [&](std::string map, const char* knob, double value, Cube cube, Holds holds, bool has_limit = true) {
       cube.kernel = kernel;
-      probes.push_back({std::move(map), knob, value, has_limit, [=](double safety) { return holds(cube, safety); }});
+      probes.push_back({std::move(map), knob, value, has_limit, [=](double safety) { return holds(cube, safety); },
+                        [=](double safety) { return cube.begin(safety)->dt(); }});
     };
     /// Every knob that all cubes have.
     const auto sweep = [&](const std::string& map, const Cube& cube, Holds holds, bool has_limit = true) {

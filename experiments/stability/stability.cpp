@@ -18,7 +18,7 @@ namespace {
 double rule_safety() { return TimeSettings{}.safety; }
 
 std::string in_words(const Edge& e) {
-  const std::string found = e.largest_safety >= k_most_safety ? fmt::format("over {:.3g}", e.factor()) : fmt::format("{:.2f}", e.factor());
+  const std::string found = e.largest_safety >= k_most_safety ? fmt::format("over {:.3g}", e.factor) : fmt::format("{:.2f}", e.factor);
   return fmt::format("{:<34} {:<24} {:>9.4g}   {:>9}   {}", e.probe.map, e.probe.knob, e.probe.value, found,
                      !e.safe()    ? "UNSAFE"
                      : !e.sharp() ? "TOO CAREFUL"
@@ -31,7 +31,7 @@ nlohmann::json as_json(const Edge& e) {
           {"value", e.probe.value},
           {"has_limit", e.probe.has_limit},
           {"largest_safety", e.largest_safety},
-          {"factor", e.factor()},
+          {"factor", e.factor},
           {"safe", e.safe()},
           {"sharp", e.sharp()}};
 }
@@ -45,7 +45,7 @@ std::string as_markdown(const std::vector<Edge>& edges) {
       "| map | knob | value | largest stable step over the rule's | verdict |\n|---|---|---|---|---|\n";
   for (const Edge& e : edges)
     text += fmt::format("| {} | {} | {:g} | {}{:.3g} | {} |\n", e.probe.map, e.probe.knob, e.probe.value,
-                        e.largest_safety >= k_most_safety ? "over " : "", e.factor(),
+                        e.largest_safety >= k_most_safety ? "over " : "", e.factor,
                         !e.safe()    ? "**unsafe**"
                         : !e.sharp() ? "**too careful**"
                                      : "holds");
@@ -54,19 +54,19 @@ std::string as_markdown(const std::vector<Edge>& edges) {
 
 }  // namespace
 
-double Edge::factor() const { return largest_safety / rule_safety(); }
-bool Edge::safe() const { return factor() >= 1; }
-bool Edge::sharp() const { return !probe.has_limit || factor() <= 3; }
+bool Edge::safe() const { return factor >= 1; }
+bool Edge::sharp() const { return !probe.has_limit || factor <= 3; }
 
 Edge find_edge(const Probe& probe) {
   double low = rule_safety() / 4, high = k_most_safety;
-  if (!probe.holds(low)) return {probe, 0};
-  if (probe.holds(high)) return {probe, high};
+  const auto edge = [&](double safety) { return Edge{probe, safety, probe.step(safety) / probe.step(rule_safety())}; };
+  if (!probe.holds(low)) return {probe, 0, 0};
+  if (probe.holds(high)) return edge(high);
   while (high > 1.03 * low) {
     const double middle = std::sqrt(low * high);
     (probe.holds(middle) ? low : high) = middle;
   }
-  return {probe, low};
+  return edge(low);
 }
 
 bool run_stability(const StudyOptions& options) {

@@ -20,13 +20,14 @@ struct Probe {
   bool has_limit;    ///< false: stable with any step (backward Euler)
   /// Does it stay bounded with this safety?
   std::function<bool(double safety)> holds;
+  std::function<double(double safety)> step;  ///< the first that the rule takes with it [s]
 };
 
 /// What was found.
 struct Edge {
   Probe probe;
   double largest_safety;  ///< with which it holds; the search ends at k_most_safety
-  double factor() const;  ///< largest stable step over the step that the rule takes
+  double factor;          ///< largest stable step over the step that the rule takes
   bool safe() const;
   bool sharp() const;  ///< at most three times too careful
 };

@@ -184,9 +184,9 @@ struct Motion : Effect {
     const double own2 = most(bound::own_frequency_squared);
     const auto& motion = scene.template of<Motion>();
     const double acceleration = largest_length(motion.gravity_m_per_s2) / motion.inertia_scale;
-    constexpr double k_share = 0.9;  // of a limit that is exact
+    const double share = std::max(0.9, at.safety);  // of a limit that is exact
     if (own2 > 0)
-      limit.at_most(k_share * 2 / std::sqrt(own2), std::isinf(own2) ? "a particle's volume fell to zero" : "stiffness of a particle alone");
+      limit.at_most(share * 2 / std::sqrt(own2), std::isinf(own2) ? "a particle's volume fell to zero" : "stiffness of a particle alone");
     if (c2 > 0) limit.at_most(at.safety * at.dx / std::sqrt(c2), "stiffness (elastic, pore gas and water)");
     if (C2 > 0) limit.at_most(0.5 / std::sqrt(C2), "rate of deformation");
     if (v2 > 0) limit.at_most(at.cfl * at.dx / std::sqrt(v2), "particle travel (time.cfl)");

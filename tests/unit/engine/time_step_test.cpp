@@ -40,6 +40,9 @@ TEST(TheTimeStep, LetsNoWaveCrossMoreThanHalfACell) {
   EXPECT_STREQ(found.reason, "stiffness (elastic, pore gas and water)");
 }
 TEST(TheTimeStep, IsBelowTwoOverTheFrequencyOfAParticleAlone) { EXPECT_DOUBLE_EQ(limit({.own_frequency2 = 100}).dt, 0.9 * 2 / 10); }
+TEST(TheTimeStep, GoesBeyondTheLimitOfAParticleAloneWhereSafetySaysSo) {
+  EXPECT_DOUBLE_EQ(limit({.own_frequency2 = 100}, 0, "[motion]\ngravity_m_per_s2 = [0, 0, 0]\n[time]\nsafety = 4\n").dt, 4 * 2 / 10.);
+}
 TEST(TheTimeStep, IsNoneOnceAVolumeIsNone) {
   const StepLimit found = limit({.own_frequency2 = k_infinity});
   EXPECT_EQ(found.dt, 0);
