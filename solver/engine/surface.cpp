@@ -176,7 +176,7 @@ void find_curvature(const Halo<Real, k_wide>& phi, std::array<Real, k_block_node
         const Real xx = H.xx.at[at], yy = H.yy.at[at], zz = H.zz.at[at];
         const Real across = (y * y + z * z) * xx + (x * x + z * z) * yy + (x * x + y * y) * zz -
                             2 * (x * y * H.xy.at[at] + x * z * H.xz.at[at] + y * z * H.yz.at[at]);
-        const Real slope = std::sqrt(x * x + y * y + z * z + k_level * k_level);
+        const Real slope = std::sqrt(gradient.squared(of_g) + k_level * k_level);
         out[static_cast<std::size_t>(node_in_block(i, j, k))] = across / (slope * slope * slope) * Real(-1. / 128);
       }
 }

@@ -70,8 +70,8 @@ class FreeSurfaceMeasure {
  private:
   using Nodes = std::array<Real, k_block_nodes>;
   static constexpr Real k_full = Real(0.8), k_no_dough = Real(1e-3);  ///< values of phi~
-  static constexpr Real k_ends =
-      24;  ///< a face that meets a solid ends, which is no edge: nothing of K^2 counts within 1.5 dx of the solid
+  /// Of a face that ends at a solid K^2 counts less, by so much of the room that is missing: nothing within 1.5 dx.
+  static constexpr Real k_ends = 24;
   static constexpr double k_least_room = 0.05, k_reach = 2.5;  ///< of room(), and of what covers a surface, in node distances
 
   struct Block {
