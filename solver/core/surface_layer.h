@@ -26,9 +26,8 @@ struct SurfaceLayer {
   Real conductance(Real conductivity, Real volume) const { return conductivity / (volume * dx * depth(Real(1))); }
   /// 1 / (1 + beta d / kappa), with `conductance` V beta and `conductivity` V kappa.
   Real share_that_passes(Real conductance, Real conductivity) const {
-    const Real h = conductance * dx;
-    if (!(h > 0)) return 1;
-    return conductivity / (conductivity + h * depth(h / (conductivity + h)));
+    const Real h = conductance * dx, passes = conductivity / (conductivity + h * depth(h / (conductivity + h)));
+    return h > 0 ? passes : Real(1);
   }
 };
 

@@ -437,8 +437,8 @@ bool FreeSurfaceMeasure<Real>::blurred(std::size_t s, const ActiveBlocks& active
 
 /// A = V r f with blurred r, and what passes: the layer between the nodes and the surface conducts as well.
 template <class Real>
-typename FreeSurfaceMeasure<Real>::Passing FreeSurfaceMeasure<Real>::passing(std::size_t s, std::size_t k, Real r, Real bend, Real edge,
-                                                                             Real beta) const {
+BAKE_INLINE typename FreeSurfaceMeasure<Real>::Passing FreeSurfaceMeasure<Real>::passing(std::size_t s, std::size_t k, Real r, Real bend,
+                                                                                         Real edge, Real beta) const {
   const Real V = volume_[s][k], A = V * r * unrounded(r, bend, edge, rounding_);
   return {A, conductivity_.empty() ? A : A * layer_.share_that_passes(beta * V, conductivity_[s][k])};
 }

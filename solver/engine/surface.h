@@ -95,7 +95,7 @@ class FreeSurfaceMeasure {
   const Nodes* of_cover(std::size_t slot, const ContactHeat& heat, Nodes Cover::*nodes) const;
   template <class FieldOf>
   bool blurred(std::size_t slot, const ActiveBlocks& active, FieldOf field_of, Nodes& out) const;
-  Passing passing(std::size_t slot, std::size_t node, Real r, Real bend, Real edge, Real beta) const;
+  BAKE_INLINE Passing passing(std::size_t slot, std::size_t node, Real r, Real bend, Real edge, Real beta) const;
   /// Heat transfer [W/K] through an area, and its source [W], where its temperature is held or a flux comes in.
   std::pair<Real, Real> through(std::size_t slot, std::size_t node, Real area, const ContactHeat& heat) const;
   void mirror(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);

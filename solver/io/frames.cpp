@@ -44,9 +44,9 @@ void write_cells(Hdf5Writer& out, const PackedFrame& frame) {
   write("NumberOfPoints", std::array{count});
   write("NumberOfCells", std::array{count});
   write("NumberOfConnectivityIds", std::array{count});
-  out.packed("VTKHDF/Connectivity", frame.connectivity);
-  out.packed("VTKHDF/Offsets", frame.offsets);
-  out.packed("VTKHDF/Types", frame.types);
+  out.packed("VTKHDF/Connectivity", *frame.connectivity);
+  out.packed("VTKHDF/Offsets", *frame.offsets);
+  out.packed("VTKHDF/Types", *frame.types);
 }
 
 ArrayView view(const FrameColumn& column) {
@@ -62,19 +62,35 @@ ArrayView view_of_positions(const FrameData& frame) {
 
 }  // namespace
 
-PackedFrame pack_frame(double time_s, const FrameData& frame) {
+PackedFrame FramePacker::pack(double time_s, const FrameData& frame) {
   check_lengths(frame);
   const std::size_t particles = count_of(frame) / 3;
-  std::vector<std::int64_t> counting(particles + 1);
-  std::iota(counting.begin(), counting.end(), std::int64_t{0});
-  const std::vector<std::uint8_t> types(particles, k_vertex);
-  std::vector<ArrayView> arrays{view_of_positions(frame), array_view<std::int64_t>(std::span(counting).first(particles)),
-                                array_view<std::int64_t>(counting), array_view<std::uint8_t>(types)};
-  for (const FrameColumn& column : frame.columns) arrays.push_back(view(column));
-  std::vector<PackedArray> packed = pack(arrays);
-  PackedFrame all{time_s, particles, std::move(packed[0]), std::move(packed[1]), std::move(packed[2]), std::move(packed[3]), {}};
-  for (std::size_t i = 0; i < frame.columns.size(); ++i)
-    all.columns.push_back({frame.columns[i].name, frame.columns[i].unit, std::move(packed[4 + i])});
+  const bool same_particles = frame.members && frame.members == members_;
+  const auto is_whole = [](const FrameColumn& column) { return std::holds_alternative<std::vector<std::int64_t>>(column.values); };
+  std::vector<ArrayView> arrays{view_of_positions(frame)};
+  for (const FrameColumn& column : frame.columns)
+    if (!is_whole(column)) arrays.push_back(view(column));
+  const std::size_t changing = arrays.size();
+  std::vector<std::int64_t> counting;
+  std::vector<std::uint8_t> types;
+  if (!same_particles) {
+    counting.resize(particles + 1);
+    std::iota(counting.begin(), counting.end(), std::int64_t{0});
+    types.assign(particles, k_vertex);
+    arrays.push_back(array_view<std::int64_t>(std::span(counting).first(particles)));
+    arrays.push_back(array_view<std::int64_t>(counting));
+    arrays.push_back(array_view<std::uint8_t>(types));
+    for (const FrameColumn& column : frame.columns)
+      if (is_whole(column)) arrays.push_back(view(column));
+  }
+  std::vector<PackedFrame::Array> packed;
+  for (PackedArray& array : bake::pack(arrays)) packed.push_back(std::make_shared<const PackedArray>(std::move(array)));
+  if (!same_particles) kept_.assign(packed.begin() + static_cast<std::ptrdiff_t>(changing), packed.end());
+  members_ = frame.members;
+  PackedFrame all{time_s, particles, packed[0], kept_[0], kept_[1], kept_[2], {}};
+  std::size_t next = 1, next_kept = 3;
+  for (const FrameColumn& column : frame.columns)
+    all.columns.push_back({column.name, column.unit, is_whole(column) ? kept_.at(next_kept++) : packed[next++]});
   return all;
 }
 
@@ -84,14 +100,16 @@ void write_frame(const std::filesystem::path& path, const PackedFrame& frame) {
   AtomicFile file(path);
   Hdf5Writer out(file);
   write_vtk_head(out, frame.time_s);
-  write_vtk_points(out, frame.positions);
+  write_vtk_points(out, *frame.positions);
   write_cells(out, frame);
-  for (const PackedFrame::Column& column : frame.columns) write_vtk_field(out, column.name, column.unit, column.values);
+  for (const PackedFrame::Column& column : frame.columns) write_vtk_field(out, column.name, column.unit, *column.values);
   out.close();
   file.commit();
 }
 
-void write_frame(const std::filesystem::path& path, double time_s, const FrameData& frame) { write_frame(path, pack_frame(time_s, frame)); }
+void write_frame(const std::filesystem::path& path, double time_s, const FrameData& frame) {
+  write_frame(path, FramePacker().pack(time_s, frame));
+}
 
 FrameReader::FrameReader(const std::filesystem::path& path) : file_(path) {
   if (!file_.has("VTKHDF/Points") || !file_.has_attribute("VTKHDF", "time_s"))

@@ -154,7 +154,9 @@ class Run {
   SpareDescriptor spare_;
   Progress progress_;
   std::unique_ptr<Simulation> simulation_;
-  int frame_ = 0;  ///< the last one that was reached
+  FramePacker packer_;
+  int frame_ = 0;                ///< the last one that was reached
+  std::atomic<int> saved_ = -1;  ///< and that was written
   double began_ = steady_seconds(), wall_before_ = 0;
   std::int64_t old_steps_ = 0;        ///< particle-steps before it was resumed
   std::vector<double> first_, last_;  ///< rows of the ledger
@@ -174,7 +176,8 @@ void Run::begin() {
     save_description("running");
     ledger_.emplace(LedgerFile::create(results_.ledger(), ledger_columns(scene_)));
     if (!scene_.skins.empty()) results_.make_skins();
-    save_frame(0, simulation_->shown_frame(), first_);
+    save_frame(0, simulation_->shown_frame(packer_), first_);
+    save_series(0);
   } catch (const OutputError& error) {
     fail();
     throw RunError(error.what());
@@ -218,6 +221,7 @@ void Run::resume() {
   const Ledger rows = read_ledger(results_.ledger());
   first_ = rows.rows.front();
   last_ = rows.rows.back();
+  saved_ = frame_;
   save_series(frame_);
   save_description("running");
 }
@@ -247,8 +251,8 @@ void Run::save_frame(int frame, const ShownFrame& shown, const std::vector<doubl
   try {
     write_frame(results_.frame(frame), shown.particles);
     if (shown.skin) write_mesh(results_.skin(frame), *shown.skin);
-    save_series(frame);
     ledger_->append(row);
+    saved_ = frame;
   } catch (const OutputError& error) {
     throw OutputError(fmt::format("frame {}: {}", frame, error.what()));
   }
@@ -299,15 +303,19 @@ std::string Run::finish(const char* state) const {
 }
 
 void Run::fail() noexcept {
-  try {
+  const auto attempt = [](auto what) {
+    try {
+      what();
+    } catch (...) {  // what made it fail is told already
+    }
+  };
+  attempt([&] {
     spare_.give_up();
     if (writer_) writer_->finish();
-  } catch (...) {  // what made it fail is told already
-  }
-  try {
-    if (results_.is_own()) save_description("failed");
-  } catch (...) {
-  }
+  });
+  if (!results_.is_own()) return;
+  if (saved_ >= 0) attempt([&] { save_series(saved_); });
+  attempt([&] { save_description("failed"); });
 }
 
 RunSummary Run::go_on() {
@@ -318,12 +326,13 @@ RunSummary Run::go_on() {
       ++frame_;
       last_ = ledger_row(*simulation_);
       // packed here, by all threads: a thread of its own would take a core from the steps, whose threads wait for each other
-      writer_->put([this, frame = frame_, shown = simulation_->shown_frame(), row = last_] { save_frame(frame, shown, row); });
+      writer_->put([this, frame = frame_, shown = simulation_->shown_frame(packer_), row = last_] { save_frame(frame, shown, row); });
       progress_.update(standing());
     }
     const bool at_end = frame_ == times_.last(), stop = StopSignals::asked() && !at_end;
     if (stop || at_end || (reached && frame_ % scene_.run.checkpoint_every_frames == 0)) {
       writer_->finish();  // a checkpoint knows of no frame that is not there
+      save_series(frame_);
       save_checkpoint();
       save_description("running");  // a killed run must not lose the time that it took
     }
@@ -383,8 +392,9 @@ Costs try_out(Simulation& simulation, double end) {
   const double advanced = simulation.time() + simulation.settling().time;
   const double lengthening = steps > 0 && first_step > 0 ? advanced / steps / first_step : 1;
   const ScratchFolder scratch;
+  FramePacker packer;
   const auto write = [&](int frame) {
-    const ShownFrame shown = simulation.shown_frame();
+    const ShownFrame shown = simulation.shown_frame(packer);
     write_frame(scratch / frame_name(frame), shown.particles);
     if (shown.skin) write_mesh(scratch / frame_name(frame + 2), *shown.skin);
   };

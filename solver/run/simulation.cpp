@@ -205,6 +205,7 @@ class SimulationOf final : public Simulation {
       frame.columns.push_back({field::VonMisesStress::name, field::VonMisesStress::unit, std::move(equivalent)});
     }
     for (std::size_t c = 0; c < shown.size(); ++c) frame.columns.push_back({shown[c].name, shown[c].unit, std::move(scalars[c])});
+    frame.members = {engine_.identities_given(), n};
     return frame;
   }
 

@@ -25,7 +25,7 @@ struct RunSettings {
   double frame_rate_per_s = 24;
   int seed = 1;
   Precision precision = Precision::single_precision;
-  int checkpoint_every_frames = 10;
+  int checkpoint_every_frames = 24;
   bool stress_in_frames = false;
   static constexpr auto parameters() {
     return std::tuple{
@@ -36,7 +36,7 @@ struct RunSettings {
         Parameter{"precision", &RunSettings::precision, "", any_number, "floating-point numbers of particles and grid"},
         Parameter{"checkpoint_every_frames", &RunSettings::checkpoint_every_frames, "1",
                   Range{1, 1e9, false, false, "a whole number of at least 1"},
-                  "a checkpoint is written at the last frame and every so many frames"},
+                  "a checkpoint, and the list of the frames, are written at the last frame and every so many frames"},
         Parameter{"stress_in_frames", &RunSettings::stress_in_frames, "", any_number,
                   "whether frames have the columns stress and von_mises, where something moves"},
     };

@@ -196,6 +196,7 @@ def stands_without_script_or_webgl(address, folder):
 
 
 def take_pictures(file, folder):
+    os.makedirs(folder, exist_ok=True)
     address = "file://" + os.path.abspath(file)
     browser = Browser(DRAWN_BY_SOFTWARE)
     try:

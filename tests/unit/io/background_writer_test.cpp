@@ -59,10 +59,11 @@ TEST(BackgroundWriter, WritesFramesAndLedgerWhileItsOwnerMakesTheNextOnes) {
   const TemporaryFolder folder;
   LedgerFile ledger = LedgerFile::create(folder / "ledger.csv", {"time_s"});
   BackgroundWriter writer;
+  FramePacker packer;
   std::vector<float> x(3 * 40000);
   for (int frame = 0; frame < 5; ++frame) {
     for (float& x_d : x) x_d += 1;
-    writer.put([&, frame, data = pack_frame(frame, {x, {}})] {
+    writer.put([&, frame, data = packer.pack(frame, {x, {}})] {
       write_frame(folder / frame_name(frame), data);
       ledger.append(std::array{static_cast<double>(frame)});
     });

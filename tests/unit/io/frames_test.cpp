@@ -47,6 +47,30 @@ TEST(Frame, NeedsDoubleWhereFloatDoesNotResolveAThousandthOfANodeDistance) {
   EXPECT_LT(std::nextafter(before, 17.0f) - before, 1e-3 * 1e-3 * 2);
 }
 
+TEST(FramePacker, PacksIdentitiesAndCellsAnewWhenParticlesComeOrGo) {
+  const TemporaryFolder scratch;
+  FramePacker packer;
+  const auto frame = [&](std::size_t ever, std::vector<std::int64_t> id) {
+    const std::size_t here = id.size();
+    FrameData data{std::vector<float>(3 * here, static_cast<float>(ever)),
+                   {{"id", "1", std::move(id)}, {"theta", "C", std::vector<float>(here, static_cast<float>(ever))}}};
+    data.members = {ever, here};
+    return packer.pack(0, data);
+  };
+  const PackedFrame first = frame(3, {0, 1, 2}), same = frame(3, {0, 1, 2}), fewer = frame(3, {0, 2}), other = frame(4, {2, 3});
+  EXPECT_EQ(same.connectivity, first.connectivity) << "the same particles";
+  EXPECT_EQ(same.columns[0].values, first.columns[0].values);
+  EXPECT_NE(same.columns[1].values, first.columns[1].values) << "theta may change at any time";
+  write_frame(scratch / "0000.hdf", same);
+  write_frame(scratch / "0001.hdf", fewer);
+  write_frame(scratch / "0002.hdf", other);
+  EXPECT_EQ(FrameReader(scratch / "0000.hdf").identities(), (std::vector<std::int64_t>{0, 1, 2}));
+  EXPECT_EQ(FrameReader(scratch / "0001.hdf").identities(), (std::vector<std::int64_t>{0, 2}));
+  EXPECT_EQ(FrameReader(scratch / "0002.hdf").identities(), (std::vector<std::int64_t>{2, 3}));
+  EXPECT_EQ(FrameReader(scratch / "0002.hdf").column("theta"), (std::vector<float>{4, 4}));
+  EXPECT_EQ(Hdf5Reader(scratch / "0002.hdf").array<std::int64_t>("VTKHDF/Offsets"), (std::vector<std::int64_t>{0, 1, 2}));
+}
+
 TEST(Frame, HasAVtkCellForEachParticle) {
   const TemporaryFolder scratch;
   const std::vector<float> positions(9);

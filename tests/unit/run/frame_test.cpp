@@ -38,8 +38,11 @@ const std::vector<T>& column(const FrameData& frame, const char* name) {
 TEST(FrameOfASimulation, HasAllParticlesThatAreThereByIdentity) {
   const auto s = Simulation::begin(leaving_cube());
   const std::size_t at_start = s->particles();
+  const FrameData first = s->frame();
+  EXPECT_EQ(s->frame().members, first.members);
   s->advance(0.1, 0.2);
   const FrameData frame = s->frame();
+  EXPECT_NE(frame.members, first.members) << "who the particles are has changed";
   const Snapshot now = s->snapshot();
   ASSERT_LT(now.id.size(), at_start) << "none left";
   ASSERT_EQ(column<std::int64_t>(frame, "id"), now.id);
