@@ -38,6 +38,8 @@ const std::vector<Knob>& all_settings() {
       {"inertia", "inertia x 8", {"motion.inertia_scale=8"}},
       {"inertia", "inertia x 64", {"motion.inertia_scale=64"}},
       {"surface", "published surface", {"surface.form=published"}},
+      {"surface", "surface kept for 0.02 dx", {"surface.keep_dx=0.02"}},
+      {"surface", "surface kept for 0.1 dx", {"surface.keep_dx=0.1"}},
       {"textbook", "textbook (staged, double)", {"run.precision=double"}, 0, By::textbook},
       // together
       {"particles", "1 a cell, safety 1", {"time.safety=1"}, 1},

@@ -16,7 +16,7 @@ namespace {
 template <class... Structs>
 constexpr std::size_t k_keys = (0 + ... + std::tuple_size_v<decltype(Structs::parameters())>);
 static_assert(
-    k_keys<DomainSettings, GridSettings, SurfaceSettings, Oven, Material, Body, Collider, Grip, DomainFace, Emitter, Skin> == 76 &&
+    k_keys<DomainSettings, GridSettings, SurfaceSettings, Oven, Material, Body, Collider, Grip, DomainFace, Emitter, Skin> == 77 &&
         k_keys<Motion::Settings, Heat::Settings, Water::Settings, Elasticity::Settings, Plasticity::Settings, Leavening::Settings> == 22 &&
         k_keys<Heat::Material, Water::Material, Elasticity::Material, Plasticity::Material, Leavening::Material> == 23,
     "scenes have another number of keys: hand the new one to the textbook or refuse it here, so that it is not left out silently");
@@ -113,11 +113,18 @@ void refuse_settling(const Scene& scene) {
                                  scene.file.string(), damping));
 }
 
+void refuse_kept_surface(const Scene& scene) {
+  if (const double keep = scene.surface.keep_dx; keep > 0)
+    throw InputError(fmt::format("{}: surface.keep_dx: found {:g}, allowed: 0, since the textbook measures in every step",
+                                 scene.file.string(), keep));
+}
+
 }  // namespace
 
 textbook::Recipe recipe_of(const Scene& scene) {
   refuse_unknown_effects(scene);
   refuse_settling(scene);
+  refuse_kept_surface(scene);
   refuse_fracture(scene);
   textbook::Recipe r;
   r.motion = scene.lists(Motion::name);

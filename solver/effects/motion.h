@@ -113,8 +113,10 @@ struct Motion : Effect {
     model.gravity = settings.gravity_m_per_s2;
     model.inertia_scale = settings.inertia_scale;
     using Model = std::decay_t<decltype(model)>;
+    model.speed_bound = Model::Bounds::template offset<bound::SpeedSquared>;
+    model.rate_bound = Model::Bounds::template offset<bound::DeformationRateSquared>;
     model.settling = {settings.settle_damping_per_s, settings.settle_still_m_per_s, settings.settle_longest_s,
-                      Model::Booked::template offset<booked::Damped>, Model::Bounds::template offset<bound::SpeedSquared>};
+                      Model::Booked::template offset<booked::Damped>};
   }
 
   static void fill(auto& p, int lane, const auto&) { p[field::J][lane] = 1; }

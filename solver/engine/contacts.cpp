@@ -91,17 +91,24 @@ void Contacts::prepare(double time, bool at_rest) {
   present_.clear();
   largest_speed_ = 0;
   expels_ = false;
+  covers_.clear();
   for (Wall& w : walls_) {
     if (w.temperature) w.heat.temperature = (*w.temperature)(time);
     if (w.flux) w.heat.flux = (*w.flux)(time);
+    covers_.insert(covers_.end(), {w.heat.temperature, w.heat.flux});
   }
   for (Contacting& c : all_) {
+    if (c.covers) covers_.push_back(c.scripted.present(time));
     if (!c.scripted.present(time)) continue;
     RigidState pose = c.scripted.path.at(time);
     if (at_rest) pose.velocity = pose.angular_velocity = {0, 0, 0};
     present_.push_back({&c, pose, c.scripted.bounds(pose), c.temperature ? (*c.temperature)(time) : 0, c.survey.stands_at(pose)});
     largest_speed_ = std::max(largest_speed_, c.speed);
     expels_ |= c.expels;
+    if (!c.covers) continue;
+    for (const auto& row : pose.rotation) covers_.insert(covers_.end(), row.begin(), row.end());
+    covers_.insert(covers_.end(), pose.centre.begin(), pose.centre.end());
+    covers_.push_back(present_.back().temperature);
   }
 }
 

@@ -58,6 +58,11 @@ class Contacts final : public Obstacles {
   void survey(const ActiveBlocks& active);
   /// Does anything touch the block or lie within `reach` of it?
   bool near(const BlockIndex& block, double reach) const;
+  /// What the measure of a surface asks of all that covers it: poses, temperatures and fluxes, as of prepare(). Equal numbers give equal
+  /// answers.
+  const std::vector<double>& covers() const { return covers_; }
+  /// Is there something that expels particles?
+  bool expels() const { return expels_; }
   /// Does a collider lie within `reach` of the block?
   bool collider_near(const BlockIndex& block, double reach) const;
   /// Does a collider that covers, or a face of the domain that passes heat, lie within `reach` of the block?
@@ -166,6 +171,7 @@ class Contacts final : public Obstacles {
   std::array<bool, 6> is_mirror_{true, true, true, true, true, true};
   double face_friction_;
   const GridGeometry geometry_;
+  std::vector<double> covers_;
   bool has_colliders_ = false, holds_temperatures_ = false;
   double largest_speed_ = 0;
   bool expels_ = false;

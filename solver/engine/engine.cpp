@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include <cmath>
+
 #include "solver/core/parallel.h"
 #include "solver/effects/fields.h"
 #include "solver/io/progress.h"
@@ -98,6 +100,7 @@ void Engine<Real>::start(double first_target) {
   contacts_.prepare(time_, settles);
   update_grid();
   pass(time_, settles ? next_settling_step() : next_step(time_, first_target, first_target), settles, true);
+  surface_travel_ = k_infinity;  // the pass has summed the volumes in another order
 }
 
 /// Equal steps up to the end of settling.
@@ -111,7 +114,7 @@ template <class Real>
 bool Engine<Real>::settle_on() {
   const SettlingRule& rule = physics_->settling;
   settling_.time += dt_;
-  const bool slow = bounds_[static_cast<std::size_t>(rule.speed_bound)] <= rule.slow * rule.slow;  // false if that is no number
+  const bool slow = bounds_[static_cast<std::size_t>(physics_->speed_bound)] <= rule.slow * rule.slow;  // false if that is no number
   settling_.still_for = slow ? settling_.still_for + dt_ : 0;
   settling_.is_still = settling_.still_for * rule.damping >= 1;
   return !settling_.is_still && settling_.time < rule.longest - 1e-9 * dt_;
@@ -158,6 +161,7 @@ void Engine<Real>::pass(double after, double next_dt, bool next_settles, bool sa
       for (std::int32_t b = columns[c].first; b < columns[c].second; ++b)
         kernel_->advance(w, b, scratch, results_[static_cast<std::size_t>(b)], sample);
     });
+  const double done = dt_;
   dt_ = next_dt;
   settling_.now = next_settles;
   bounds_ = {};
@@ -166,6 +170,7 @@ void Engine<Real>::pass(double after, double next_dt, bool next_settles, bool sa
     highest_.fill(k_lowest);
   }
   reduce(results_);
+  surface_travel_ += travelled(done);
   if (!given_.empty()) sum_given(home_given_);
   std::vector<Migrant<Real>> migrants;
   for (auto& r : results_)
@@ -173,6 +178,15 @@ void Engine<Real>::pass(double after, double next_dt, bool next_settles, bool sa
   const bool is_stale = physics_->moves && counters_.steps - last_sorted_ >= k_most_steps_unsorted;
   if (!migrants.empty() || is_stale) migrate_particles(migrants);
   if (skins_) pull_skins(after, sample);
+}
+
+/// How far a particle may have moved, and how much of its size changed, in a step that is done [dx].
+template <class Real>
+double Engine<Real>::travelled(double dt) const {
+  if (!physics_->moves || !(dt > 0)) return 0;
+  if (contacts_.expels()) return k_infinity;  // pushed out, particles jump
+  const auto largest = [&](int bound) { return std::sqrt(bounds_[static_cast<std::size_t>(bound)]); };
+  return dt * (largest(physics_->speed_bound) / geometry_.dx() + largest(physics_->rate_bound));
 }
 
 template <class Real>

@@ -80,6 +80,11 @@ class Engine {
   Step<Real> current_step() const;
   BlockWork<Real> work(const Step<Real>& step);
   void update_grid();
+  void measure_surface();
+  bool keeps_surface() const { return physics_->needs_surface && scene_.surface.form == Form::standard && scene_.surface.keep_dx > 0; }
+  double travelled(double dt) const;
+  void write_surface(CheckpointWriter& out) const;
+  void read_surface(const CheckpointReader& in);
   void update_block(std::size_t slot, const Air& air, const Step<Real>& step, Budget& booked);
   Given* given_in(std::size_t slot) { return block_given_.data() + slot * given_.size(); }
   Vector3 touched(std::size_t slot, int node, const NodeSums<Real>* sums, const Vector3& v, const NodesAround* around);
@@ -130,6 +135,10 @@ class Engine {
   Contacts contacts_;
   NodalForce force_;
   FreeSurfaceMeasure<Real> surface_;
+  /// Since the surface was measured: how far a particle may have moved [dx], and what covered it then. Infinite: it must be measured.
+  double surface_travel_ = k_infinity;
+  std::vector<double> surface_covers_;
+  std::vector<typename FreeSurfaceMeasure<Real>::Nodes> surface_volumes_;  ///< that it was measured from, if a checkpoint will ask for them
 
   ParticleStore<Real> store_, spare_;
   AlignedBuffer<Real> scattered_, spare_rows_;  ///< what the next grid update takes; a spare one to move it into other blocks

@@ -80,6 +80,7 @@ void Engine<Real>::write(CheckpointWriter& out) const {
   for (const Given& g : given_) given.insert(given.end(), {g.impulse[0], g.impulse[1], g.impulse[2], g.heat});
   if (!given.empty()) out.add("given", std::span<const double>(given));
   if (skins_) skins_->write(out);
+  if (keeps_surface()) write_surface(out);
   if (!(physics_->settling.damping > 0)) return;
   const double settling[] = {double(settling_.now), settling_.time, settling_.still_for, double(settling_.is_still)};
   out.add("settling", std::span<const double>(settling));
@@ -158,12 +159,42 @@ void Engine<Real>::read(const CheckpointReader& in) {
   counters_ = {counts[0], counts[1], counts[2], counts[3], counts[4]};
   next_identity_ = counts[5];
   last_sorted_ = counts[6];
+  if (keeps_surface()) read_surface(in);
   if (!(physics_->settling.damping > 0)) return;
   const auto settling = in.array<double>("settling");
   expect(settling.size() == 4 && settling[1] >= 0 && settling[2] >= 0);
   expect_numbers(settling, false);
   settling_ = {settling[0] != 0, settling[1], settling[2], settling[3] != 0};
   expect(!settling_.now || time_ == 0);
+}
+
+/// The volumes that the surface was measured from, and since when: it is measured from them again.
+template <class Real>
+void Engine<Real>::write_surface(CheckpointWriter& out) const {
+  const Real* numbers = surface_volumes_.empty() ? nullptr : surface_volumes_.front().data();
+  out.add("surface_volumes", std::span<const Real>(numbers, surface_volumes_.size() * k_block_nodes));
+  std::vector<double> kept{surface_travel_};
+  kept.insert(kept.end(), surface_covers_.begin(), surface_covers_.end());
+  out.add("surface_kept", std::span<const double>(kept));
+}
+
+template <class Real>
+void Engine<Real>::read_surface(const CheckpointReader& in) {
+  const auto numbers = in.array<Real>("surface_volumes");
+  const auto kept = in.array<double>("surface_kept");
+  expect(!kept.empty() && kept[0] >= 0);
+  expect_numbers(kept, true);
+  surface_travel_ = kept[0];
+  surface_covers_.assign(kept.begin() + 1, kept.end());
+  contacts_.prepare(time_);
+  if (!(surface_travel_ <= scene_.surface.keep_dx) || surface_covers_ != contacts_.covers()) return;  // it will be measured anew
+  expect(numbers.size() == active_.at.size() * k_block_nodes);
+  expect(std::all_of(numbers.begin(), numbers.end(), [](Real x) { return std::isfinite(x) && x >= 0; }));
+  surface_volumes_.resize(active_.at.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) surface_volumes_[i / k_block_nodes][i % k_block_nodes] = numbers[i];
+  active_.find_touched(store_.blocks);
+  contacts_.survey(active_);
+  surface_.measure_again(surface_volumes_, physics_->surface_layer, physics_->surface_rounding, active_, geometry_, contacts_);
 }
 
 template void Engine<float>::write(CheckpointWriter&) const;

@@ -75,8 +75,7 @@ void Engine<Real>::update_grid() {
     air = {scene_.oven.heat_transfer_coefficient_W_per_m2K(time_), scene_.oven.temperature_C(time_),
            scene_.oven.equilibrium_saturation(time_)};
     if (scene_.surface.form == Form::standard)
-      surface_.measure(scattered_.data(), scattered_row(), physics_->volume_channel, physics_->conductivity_channel,
-                       physics_->surface_layer, physics_->surface_rounding, active_, geometry_, contacts_);
+      measure_surface();
     else
       measure_published_surface(air);
   }
@@ -118,6 +117,18 @@ void Engine<Real>::update_grid() {
   });
   if (!given_.empty()) sum_given(block_given_);
   if (skins_) book_weight_of_skins();
+}
+
+/// Anew only where it may have changed: dough that moves a hundredth of a cell a step has the same surface for several.
+template <class Real>
+void Engine<Real>::measure_surface() {
+  const typename FreeSurfaceMeasure<Real>::Rows rows{scattered_.data(), scattered_row(), physics_->volume_channel,
+                                                     physics_->conductivity_channel};
+  if (surface_travel_ <= scene_.surface.keep_dx && surface_covers_ == contacts_.covers()) return surface_.follow(rows, active_);
+  surface_.measure(rows, physics_->surface_layer, physics_->surface_rounding, active_, geometry_, contacts_);
+  surface_travel_ = 0;
+  surface_covers_ = contacts_.covers();
+  if (keeps_surface()) surface_volumes_ = surface_.volumes();
 }
 
 /// From scattered to gathered rows. A block found empty is no longer `touched`.
@@ -434,6 +445,7 @@ void Engine<Real>::change_velocities(std::size_t slot, const NodeSums<Real>* sum
 // All of them: the extern template of the class keeps a compiler from making one where it is called.
 #define BAKE_INSTANTIATE(Real)                                                                                          \
   template void Engine<Real>::update_grid();                                                                            \
+  template void Engine<Real>::measure_surface();                                                                        \
   template void Engine<Real>::update_block(std::size_t, const Air&, const Step<Real>&, Budget&);                        \
   template void Engine<Real>::touch_colliders();                                                                        \
   template void Engine<Real>::find_fall(Lanes<Real>(&)[3]) const;                                                       \

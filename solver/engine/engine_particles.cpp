@@ -84,6 +84,7 @@ void Engine<Real>::add(const std::vector<NewParticle>& particles, bool poured) {
   remap_blocks(before);
   carry_sampled(spare_, particles);
   scatter_new(fresh, start, poured);
+  surface_travel_ = k_infinity;
 }
 
 template <class Real>
@@ -173,6 +174,7 @@ void Engine<Real>::remap_blocks(const ActiveBlocks& before) {
       std::memset(spare_rows_.data() + i * block_size, 0, block_size * sizeof(Real));
   }
   scattered_.swap(spare_rows_);
+  if (active_.at != before.at) surface_travel_ = k_infinity;
 }
 
 /// Retires or sorts particles that drifted out of their blocks, and all others with them, then scatters what the former owe.
@@ -205,6 +207,7 @@ void Engine<Real>::migrate_particles(std::vector<Migrant<Real>>& migrants) {
     homes[i].block = geometry_.wrapped(homes[i].block);
   }
   std::sort(retired.begin(), retired.end());
+  if (!retired.empty()) surface_travel_ = k_infinity;
   const auto leave_out = [&](std::int32_t tile, std::int32_t lane) {
     return std::binary_search(retired.begin(), retired.end(), std::pair(tile, lane));
   };

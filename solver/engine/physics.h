@@ -109,7 +109,6 @@ struct SettlingRule {
   double slow = 0;       ///< the dough lies still when none is faster for 1 / damping [m/s]
   double longest = 0;    ///< it ends then, still or not [s]
   int damped_entry = 0;  ///< in a Budget: energy that damping took [J]
-  int speed_bound = 0;   ///< in Bounds: |v|^2 [m^2/s^2]
 };
 
 /// A model as the engine sees it. All arrays of lanes are aligned to the register width.
@@ -147,6 +146,8 @@ class Physics {
   bool moves = false;                  ///< nodes have velocities (gathered channels 0 to 2), which gravity and contacts change
   VectorCurve gravity{Vector3{}};      ///< [m/s^2]
   double inertia_scale = 1;            ///< inertial mass over mass
+  int speed_bound = 0;                 ///< in Bounds, where something moves: |v|^2 [m^2/s^2]
+  int rate_bound = 0;                  ///< and |C|^2 [1/s^2]
   SettlingRule settling;               ///< how the dough comes to rest before the scene's time begins
   bool samples_stress = false;         ///< what is sampled is not the velocity alone
   bool needs_surface = false;          ///< something passes the surface: it is measured

@@ -256,29 +256,58 @@ bool any_positive(const Nodes& nodes) {
 }  // namespace
 
 template <class Real>
-void FreeSurfaceMeasure<Real>::measure(const Real* rows, int row_size, int volume_channel, int conductivity_channel,
-                                       const SurfaceLayer<Real>& layer, double rounding, const ActiveBlocks& active,
+void FreeSurfaceMeasure<Real>::measure(const Rows& rows, const SurfaceLayer<Real>& layer, double rounding, const ActiveBlocks& active,
                                        const GridGeometry& geometry, const Contacts& contacts) {
-  const std::size_t n = active.at.size();
   layer_ = layer;
   rounding_ = rounding;
-  conductivity_.resize(conductivity_channel < 0 ? 0 : n);
-  for (auto* field : {&volume_, &mirrored_, &smooth_, &filled_, &density_, &bend_, &edge_}) field->resize(n);
-  covers_.resize(n);
-  shares_.resize(n);
-  blocks_.assign(n, {});
+  follow(rows, active);
+  find(active, geometry, contacts);
+}
+
+template <class Real>
+void FreeSurfaceMeasure<Real>::measure_again(std::vector<Nodes> volumes, const SurfaceLayer<Real>& layer, double rounding,
+                                             const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts) {
+  layer_ = layer;
+  rounding_ = rounding;
+  volume_ = std::move(volumes);
+  blocks_.resize(volume_.size());
+  for (std::size_t s = 0; s < blocks_.size(); ++s) blocks_[s].has_volume = any_positive(volume_[s]);
+  find(active, geometry, contacts);
+}
+
+template <class Real>
+void FreeSurfaceMeasure<Real>::follow(const Rows& rows, const ActiveBlocks& active) {
+  const std::size_t n = active.at.size();
+  volume_.resize(n);
+  conductivity_.resize(rows.conductivity_channel < 0 ? 0 : n);
+  blocks_.resize(n);
   for_each_parallel(n, 16, [&](std::size_t s) {
-    covers_[s].clear();
-    shares_[s].clear();
-    if (!active.touched[s]) return;
     const auto take = [&](int channel, Nodes& to) {
       for (std::size_t k = 0; k < k_block_nodes; ++k)
-        to[k] = rows[(s * k_block_nodes + k) * static_cast<std::size_t>(row_size) + static_cast<std::size_t>(channel)];
+        to[k] = rows.numbers[(s * k_block_nodes + k) * static_cast<std::size_t>(rows.size) + static_cast<std::size_t>(channel)];
     };
-    take(volume_channel, volume_[s]);
-    if (!conductivity_.empty()) take(conductivity_channel, conductivity_[s]);
+    if (active.touched[s]) {
+      take(rows.volume_channel, volume_[s]);
+      if (!conductivity_.empty()) take(rows.conductivity_channel, conductivity_[s]);
+    } else {
+      volume_[s].fill(0);
+    }
     blocks_[s].has_volume = any_positive(volume_[s]);
   });
+}
+
+/// r and K of air and covers, from the volumes.
+template <class Real>
+void FreeSurfaceMeasure<Real>::find(const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts) {
+  const std::size_t n = active.at.size();
+  for (auto* field : {&mirrored_, &smooth_, &filled_, &density_, &bend_, &edge_}) field->resize(n);
+  covers_.resize(n);
+  shares_.resize(n);
+  for (std::size_t s = 0; s < n; ++s) {
+    blocks_[s] = {.has_volume = blocks_[s].has_volume};
+    covers_[s].clear();
+    shares_[s].clear();
+  }
   for_each_parallel(n, 16, [&](std::size_t s) { mirror(s, active, geometry, contacts); });
   for_each_parallel(n, 16, [&](std::size_t s) { smooth(s, active, geometry, contacts); });
   for_each_parallel(n, 16, [&](std::size_t s) { find_density(s, active, geometry, contacts); });

@@ -47,11 +47,22 @@ struct Air {
 template <class Real>
 class FreeSurfaceMeasure {
  public:
-  /// Measures from the volumes V_i in channel `volume_channel` of the scattered rows, all but the last step (`surround`). `layer`
-  /// resists heat with the conductivities in `conductivity_channel`, if that is not -1. Parallel over blocks,
-  /// same bits for any number of threads.
-  void measure(const Real* rows, int row_size, int volume_channel, int conductivity_channel, const SurfaceLayer<Real>& layer,
-               double rounding, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
+  using Nodes = std::array<Real, k_block_nodes>;
+  /// Where volumes V_i stand among the scattered rows, and the conductivities of the layer that resists heat (-1: none).
+  struct Rows {
+    const Real* numbers;
+    int size, volume_channel, conductivity_channel;
+  };
+  /// Measures from the volumes V_i, all but the last step (`surround`). Parallel over blocks, same bits for any number of threads.
+  void measure(const Rows& rows, const SurfaceLayer<Real>& layer, double rounding, const ActiveBlocks& active, const GridGeometry& geometry,
+               const Contacts& contacts);
+  /// Takes the volumes of now, to which A_i is proportional, and leaves r and K as they were measured, of the same active blocks.
+  void follow(const Rows& rows, const ActiveBlocks& active);
+  /// Measures as then, from the volumes of then.
+  void measure_again(std::vector<Nodes> volumes, const SurfaceLayer<Real>& layer, double rounding, const ActiveBlocks& active,
+                     const GridGeometry& geometry, const Contacts& contacts);
+  /// Those of the last `measure` or `follow`, by slots of the active blocks.
+  const std::vector<Nodes>& volumes() const { return volume_; }
   /// [Ding19 Sec. 6.6] as printed: every node with mass that has a neighbour without appends the particle nearest to it, and each
   /// such particle stands for a disc of pi r^2, (4/3) pi r^3 = V. Serial: for studies of small scenes.
   template <KernelOrder order>
@@ -68,14 +79,13 @@ class FreeSurfaceMeasure {
   void tell(std::size_t slot, const ActiveBlocks& active, const std::function<void(int, int, double, double)>& visit) const;
 
  private:
-  using Nodes = std::array<Real, k_block_nodes>;
   static constexpr Real k_full = Real(0.8), k_no_dough = Real(1e-3);  ///< values of phi~
   /// Of a face that ends at a solid K^2 counts less, by so much of the room that is missing: nothing within 1.5 dx.
   static constexpr Real k_ends = 24;
   static constexpr double k_least_room = 0.05, k_reach = 2.5;  ///< of room(), and of what covers a surface, in node distances
 
   struct Block {
-    bool has_volume, is_mirrored, is_full, is_empty, is_beside, has_density;
+    bool has_volume = false, is_mirrored = false, is_full = false, is_empty = false, is_beside = false, has_density = false;
   };
   /// A solid in front of nodes of a block.
   struct Cover {
@@ -98,6 +108,7 @@ class FreeSurfaceMeasure {
   BAKE_INLINE Passing passing(std::size_t slot, std::size_t node, Real r, Real bend, Real edge, Real beta) const;
   /// Heat transfer [W/K] through an area, and its source [W], where its temperature is held or a flux comes in.
   std::pair<Real, Real> through(std::size_t slot, std::size_t node, Real area, const ContactHeat& heat) const;
+  void find(const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
   void mirror(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
   void smooth(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
   void find_density(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);

@@ -82,10 +82,11 @@ void take_former_names(nlohmann::json& values, const FormerNames& former) {
 void leave_out_later_keys(nlohmann::json& values, const Scene& scene) {
   const auto leave_out = [](nlohmann::json& object, const nlohmann::json& standard) {
     for (const char* key : {"stress_in_frames", "settle_damping_per_s", "settle_still_m_per_s", "settle_longest_s", "ledger", "covers",
-                            "vapour_diffusivity_m2_per_s", "vapour_transfer_m_per_s", "hygroscopic_water_kg_per_kg"})
+                            "vapour_diffusivity_m2_per_s", "vapour_transfer_m_per_s", "hygroscopic_water_kg_per_kg", "keep_dx"})
       if (object.contains(key) && object[key] == standard.at(key)) object.erase(key);
   };
   leave_out(values["run"], json_members(RunSettings{}));
+  leave_out(values["surface"], json_members(SurfaceSettings{}));
   for_each_effect([&]<class Effect>() { leave_out(values[Effect::name], json_members(std::decay_t<decltype(scene.of<Effect>())>{})); });
   for (nlohmann::json& collider : values["collider"]) leave_out(collider, json_members(Collider{}));
   for (nlohmann::json& grip : values["grip"]) leave_out(grip, json_members(Grip{}));

@@ -115,10 +115,13 @@ struct TimeSettings {
 /// [surface] - how the area that touches air is measured.
 struct SurfaceSettings {
   Form form = Form::standard;
+  double keep_dx = 0;
   static constexpr auto parameters() {
     return std::tuple{
         Parameter{"form", &SurfaceSettings::form, "", any_number,
                   "grid measure that converges (standard) or boundary particles as in Sec. 6.6 (published)"},
+        Parameter{"keep_dx", &SurfaceSettings::keep_dx, "dx", Range{0, 1, false, false, "a number from 0 to 1"},
+                  "the standard surface is measured anew once a particle may have moved that far since; 0: when anything moves"},
     };
   }
 };
