@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <omp.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -86,10 +85,15 @@ std::string summary_text(const Scene& scene, const ResultsFolder& results, const
   return text;
 }
 
+/// From now on the peak is that of what follows: other runs may have gone before in this process.
+void forget_peak_memory() { std::ofstream("/proc/self/clear_refs") << "5"; }
+
+/// The largest memory of this process since then.
 double peak_memory_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024. * static_cast<double>(usage.ru_maxrss);
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+    if (double kilobytes = 0; word == "VmHWM:" && status >> kilobytes) return 1024 * kilobytes;
+  return std::nan("");
 }
 
 /// The load average of the last minute. If it exceeds the number of cores, other processes slowed this run down.
@@ -360,6 +364,7 @@ bool is_to_resume(const RunOptions& options) {
 RunSummary run_scene(const Scene& scene, const RunOptions& options) {
   const StopSignals signals;
   if (options.threads > 0) omp_set_num_threads(options.threads);
+  forget_peak_memory();
   Run run(scene, options);
   is_to_resume(options) ? run.resume() : run.begin();
   try {
