@@ -115,8 +115,8 @@ void refuse_settling(const Scene& scene) {
 
 void refuse_kept_surface(const Scene& scene) {
   if (const double keep = scene.surface.keep_dx; keep > 0)
-    throw InputError(fmt::format("{}: surface.keep_dx: found {:g}, allowed: 0, since the textbook measures in every step",
-                                 scene.file.string(), keep));
+    throw InputError(
+        fmt::format("{}: surface.keep_dx: found {:g}, allowed: 0, since the textbook measures in every step", scene.file.string(), keep));
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 namespace bake {
 
 void let_waiting_threads_sleep(char** words) {
-  // Some thirty microseconds: as long as another thread takes to finish the work that was handed out last, and no longer than falling asleep
-  // and waking up take.
+  // Some thirty microseconds: as long as another thread takes to finish the work that was handed out last, and no longer than falling
+  // asleep and waking up take.
   constexpr const char* k_spins = "3000";
   if (std::getenv("GOMP_SPINCOUNT") || std::getenv("OMP_WAIT_POLICY")) return;
   std::error_code unknown;
