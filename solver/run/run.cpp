@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <malloc.h>
 #include <omp.h>
 #include <unistd.h>
 
@@ -86,7 +87,10 @@ std::string summary_text(const Scene& scene, const ResultsFolder& results, const
 }
 
 /// From now on the peak is that of what follows: other runs may have gone before in this process.
-void forget_peak_memory() { std::ofstream("/proc/self/clear_refs") << "5"; }
+void forget_peak_memory() {
+  malloc_trim(0);  // what they gave back goes to the system
+  std::ofstream("/proc/self/clear_refs") << "5";
+}
 
 /// The largest memory of this process since then.
 double peak_memory_bytes() {

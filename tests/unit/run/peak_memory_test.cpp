@@ -30,7 +30,7 @@ TEST(PeakMemory, IsThatOfTheRun) {
   const double small = peak_of_a_run(0.1, folder / "small"), large = peak_of_a_run(0.04, folder / "large"),
                again = peak_of_a_run(0.1, folder / "again");
   EXPECT_GT(large, small + 50e6) << "half a million particles";
-  EXPECT_LT(again, small + 0.5 * (large - small));
+  EXPECT_LT(again, small + 0.2 * (large - small));
 }
 
 }  // namespace
