@@ -57,7 +57,7 @@ TEST(SceneError, UnknownKeyComesWithTheNearestOne) {
             "bread.toml:12: material.dough: unknown key 'yuong_modulus_Pa', did you mean 'young_modulus_Pa'?");
   EXPECT_EQ(error_of(k_least + "[ovn]\n"), "bread.toml:9: unknown key 'ovn', did you mean 'oven'?");
   EXPECT_EQ(error_of(replaced(k_least, "dx_m", "dx")), "bread.toml:4: grid: unknown key 'dx', did you mean 'dx_m'?");
-  EXPECT_EQ(error_of(k_least + "[surface]\ncolour = 1\n"), "bread.toml:10: surface: unknown key 'colour', allowed: form");
+  EXPECT_EQ(error_of(k_least + "[surface]\ncolour = 1\n"), "bread.toml:10: surface: unknown key 'colour', allowed: form, keep_dx");
   EXPECT_EQ(error_of(k_least + "[elasticity]\na = 1\n"), "bread.toml:10: elasticity: unknown key 'a', allowed: none");
 }
 
