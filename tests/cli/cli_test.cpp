@@ -38,9 +38,9 @@ TEST(CommandLine, WaitingThreadsSleepSoonUnlessTheUserSaysOtherwise) {
     EXPECT_NE(last, std::string::npos) << shown;
     return shown.substr(last + 18, shown.find('\'', last + 18) - last - 18);
   };
-  EXPECT_EQ(spins(""), "1000");
+  EXPECT_EQ(spins(""), "3000");
   EXPECT_EQ(spins("GOMP_SPINCOUNT=70"), "70");
-  EXPECT_NE(spins("OMP_WAIT_POLICY=active"), "1000");
+  EXPECT_NE(spins("OMP_WAIT_POLICY=active"), "3000");
 }
 #endif
 
