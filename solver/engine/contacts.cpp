@@ -98,8 +98,9 @@ void Contacts::prepare(double time, bool at_rest) {
     covers_.insert(covers_.end(), {w.heat.temperature, w.heat.flux});
   }
   for (Contacting& c : all_) {
-    if (c.covers) covers_.push_back(c.scripted.present(time));
-    if (!c.scripted.present(time)) continue;
+    const bool present = c.scripted.present(time);
+    if (c.covers) covers_.push_back(present);
+    if (!present) continue;
     RigidState pose = c.scripted.path.at(time);
     if (at_rest) pose.velocity = pose.angular_velocity = {0, 0, 0};
     present_.push_back({&c, pose, c.scripted.bounds(pose), c.temperature ? (*c.temperature)(time) : 0, c.survey.stands_at(pose)});

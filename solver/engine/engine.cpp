@@ -215,7 +215,7 @@ std::size_t Engine<Real>::bytes() const {
   return store_.data.bytes() + spare_.data.bytes() + scattered_.bytes() + spare_rows_.bytes() + gathered_.bytes() + sampled_.bytes() +
          (store_.tiles.capacity() + spare_.tiles.capacity()) * sizeof(Tile) +
          (store_.blocks.capacity() + spare_.blocks.capacity()) * sizeof(HomeBlock) + active_.slot_of.capacity() * sizeof(std::int32_t) +
-         surface_.bytes() + contacts_.bytes();
+         surface_.bytes() + surface_volumes_.capacity() * sizeof(surface_volumes_[0]) + contacts_.bytes();
 }
 
 template class Engine<float>;

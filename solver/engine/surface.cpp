@@ -303,11 +303,11 @@ void FreeSurfaceMeasure<Real>::find(const ActiveBlocks& active, const GridGeomet
   for (auto* field : {&mirrored_, &smooth_, &filled_, &density_, &bend_, &edge_}) field->resize(n);
   covers_.resize(n);
   shares_.resize(n);
-  for (std::size_t s = 0; s < n; ++s) {
+  for_each_parallel(n, 16, [&](std::size_t s) {
     blocks_[s] = {.has_volume = blocks_[s].has_volume};
     covers_[s].clear();
     shares_[s].clear();
-  }
+  });
   for_each_parallel(n, 16, [&](std::size_t s) { mirror(s, active, geometry, contacts); });
   for_each_parallel(n, 16, [&](std::size_t s) { smooth(s, active, geometry, contacts); });
   for_each_parallel(n, 16, [&](std::size_t s) { find_density(s, active, geometry, contacts); });
