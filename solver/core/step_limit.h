@@ -22,6 +22,7 @@ struct StepScale {
   double safety;     ///< share of a limit of stability that is used
   double cfl;        ///< largest travel per step, in dx
   double diffusion;  ///< largest dt D / dx^2 of explicit diffusion on this kernel
+  double alone;      ///< of omega^2 of a particle alone, the share that the particles have which have the fewest others around them
 };
 
 }  // namespace bake

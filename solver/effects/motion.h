@@ -31,6 +31,7 @@ BAKE_FIELD(speed_squared, SpeedSquared, 1, "speed_squared", "m^2/s^2", "|v|^2");
 BAKE_FIELD(sound_speed_squared, SoundSpeedSquared, 1, "sound_speed_squared", "m^2/s^2", "stiffness over density, c^2");
 BAKE_FIELD(own_frequency_squared, OwnFrequencySquared, 1, "own_frequency_squared", "1/s^2",
            "of a particle's volume when it is alone on its nodes; infinite once that volume is not above 0");
+BAKE_FIELD(inner_frequency_squared, InnerFrequencySquared, 1, "inner_frequency_squared", "1/s^2", "of a particle's volume inside of dough");
 BAKE_FIELD(deformation_rate_squared, DeformationRateSquared, 1, "deformation_rate_squared", "1/s^2", "|C|^2");
 }  // namespace bound
 
@@ -75,7 +76,8 @@ struct Motion : Effect {
   using Gathered = FieldList<channel::NodeVelocity>;
   using Booked = FieldList<booked::Damped>;
   using Totals = FieldList<total::Momentum, total::AngularMomentum, total::Kinetic>;
-  using Bounds = FieldList<bound::SpeedSquared, bound::SoundSpeedSquared, bound::OwnFrequencySquared, bound::DeformationRateSquared>;
+  using Bounds = FieldList<bound::SpeedSquared, bound::SoundSpeedSquared, bound::OwnFrequencySquared, bound::InnerFrequencySquared,
+                           bound::DeformationRateSquared>;
 
   /// Whether pores that are pulled wide hold a vacuum, which pulls back.
   static bool pores_hold_vacuum(const auto& scene) {
@@ -115,6 +117,7 @@ struct Motion : Effect {
     using Model = std::decay_t<decltype(model)>;
     model.speed_bound = Model::Bounds::template offset<bound::SpeedSquared>;
     model.rate_bound = Model::Bounds::template offset<bound::DeformationRateSquared>;
+    model.own_bound = Model::Bounds::template offset<bound::OwnFrequencySquared>;
     model.settling = {settings.settle_damping_per_s, settings.settle_still_m_per_s, settings.settle_longest_s,
                       Model::Booked::template offset<booked::Damped>};
   }
@@ -164,9 +167,12 @@ struct Motion : Effect {
   }
 
   /// A particle alone on its nodes gets back the C that it gave, less dt tau / (rho d), d = 1 / inverse_d: its volume vibrates by
-  /// d^2 tr(eps) / dt^2 = -3 K inverse_d / rho tr(eps), K being the bulk modulus of all that it is made of.
+  /// d^2 tr(eps) / dt^2 = -3 K inverse_d / rho tr(eps), K being the bulk modulus of all that it is made of. Inside of dough others hold it:
+  /// of the quadratic kernel's discrete equations with particles at random the largest frequency was below
+  /// omega^2 = (5.9 + 3.4 V/dx^3) K / (rho dx^2), where particles of a volume V fill the room (by eigenvalues, 1 to 27 a cell).
   BAKE_INLINE static void bounds(auto& p, const auto& k, const auto& step, auto& report) {
     using P = std::decay_t<decltype(p)>;
+    using Real = typename P::Real;
     auto speed2 = p[field::v][0] * p[field::v][0], deformation2 = p[field::C][0] * p[field::C][0];
     for (int i = 1; i < 3; ++i) speed2 += p[field::v][i] * p[field::v][i];
     for (int i = 1; i < 9; ++i) deformation2 += p[field::C][i] * p[field::C][i];
@@ -175,20 +181,23 @@ struct Motion : Effect {
     const auto per_density = p[field::V_0] / (k.inertia * p.mass());
     report.bound(bound::sound_speed_squared, p.stiffness * per_density);
     const auto own = (3 * p.stiffness - 4 * p.shear_stiffness) * per_density * step.inverse_d;
-    report.bound(bound::own_frequency_squared, p[field::J] > 0 ? own : 0 * own + std::numeric_limits<typename P::Real>::infinity());
+    const auto cells = p.volume() / (step.dx * step.dx * step.dx);
+    report.bound(bound::inner_frequency_squared, own * min((Real(5.9) + Real(3.4) * cells) / 12, 0 * own + 1));
+    report.bound(bound::own_frequency_squared, p[field::J] > 0 ? own : 0 * own + std::numeric_limits<Real>::infinity());
   }
 
   /// A wave crosses one cell: the highest frequency of the lumped B-spline grid is below 2 c / dx, explicit integration holds for
   /// dt < 2 / frequency. So it does for a particle alone, whose frequency is higher where it resists a change of volume more than one of
-  /// shape. |dt C| below 1/2 keeps I + dt C far from singular. Gravity accelerates the inertial mass by g / inertia_scale.
+  /// shape, or for those that come next to that. |dt C| below 1/2 keeps I + dt C far from singular. Gravity accelerates the inertial mass
+  /// by g / inertia_scale.
   static void largest_step(const auto& most, const StepScale& at, const auto& scene, StepLimit& limit) {
     const double c2 = most(bound::sound_speed_squared), C2 = most(bound::deformation_rate_squared), v2 = most(bound::speed_squared);
-    const double own2 = most(bound::own_frequency_squared);
+    const double own2 = most(bound::own_frequency_squared), inner2 = most(bound::inner_frequency_squared);
     const auto& motion = scene.template of<Motion>();
     const double acceleration = largest_length(motion.gravity_m_per_s2) / motion.inertia_scale;
     const double share = std::max(0.9, at.safety);  // of a limit that is exact
-    if (own2 > 0)
-      limit.at_most(share * 2 / std::sqrt(own2), std::isinf(own2) ? "a particle's volume fell to zero" : "stiffness of a particle alone");
+    if (std::isinf(own2)) limit.at_most(0, "a particle's volume fell to zero");
+    if (own2 > 0) limit.at_most(share * 2 / std::sqrt(std::max(at.alone * own2, inner2)), "vibration of single particles");
     if (c2 > 0) limit.at_most(at.safety * at.dx / std::sqrt(c2), "stiffness (elastic, pore gas and water)");
     if (C2 > 0) limit.at_most(0.5 / std::sqrt(C2), "rate of deformation");
     if (v2 > 0) limit.at_most(at.cfl * at.dx / std::sqrt(v2), "particle travel (time.cfl)");

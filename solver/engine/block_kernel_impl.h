@@ -45,7 +45,7 @@ class BlockKernelOf final : public BlockKernel<Real> {
     HomeBlock& block = work.store->blocks[static_cast<std::size_t>(index)];
     result = {};
     prepare(scratch);
-    load_tile(work.gathered, block, scratch.gather_tile.data());
+    load_tile<FromTile, RG>(work.gathered, block, scratch.gather_tile.data());
     const HomeBlock* above = block_above(*work.store, index);
     Report<Real> report;
     report.totals_wanted = totals;
@@ -95,7 +95,7 @@ class BlockKernelOf final : public BlockKernel<Real> {
                 {index, t, l, gone[l] != 0, broken[l] != 0, std::vector<Real>(rows + l * 4 * RS, rows + (l + 1) * 4 * RS)});
     }
     touched.write(block);
-    flush(work.scattered, block, scratch.scatter_tile.data());
+    flush_tile<RS>(work.scattered, block, scratch.scatter_tile.data());
     collect(report, result);
   }
 
@@ -189,25 +189,6 @@ class BlockKernelOf final : public BlockKernel<Real> {
           prefetch_rows(work.gathered + row * RG, 2 * RG);
         }
     }
-  }
-
-  static void load_tile(const Real* grid, const HomeBlock& block, Real* tile) {
-    for_each_run(block, [&](std::size_t tile_row, std::size_t grid_row, int count) {
-      for (int i = 0; i < count; ++i) FromTile::load(grid + (grid_row + i) * RG, tile + (tile_row + i) * FromTile::k_row);
-    });
-  }
-
-  /// Adds the scattered tile to the grid and clears it.
-  static void flush(Real* grid, const HomeBlock& block, Real* tile) {
-    using R = Row<Real, RS>;
-    for_each_run(block, [&](std::size_t tile_row, std::size_t grid_row, int count) {
-      for (int i = 0; i < count; ++i) {
-        R sum = R::load(grid + (grid_row + i) * RS);
-        sum.add(R::load(tile + (tile_row + i) * RS), 1);
-        sum.store(grid + (grid_row + i) * RS);
-        R::zero().store(tile + (tile_row + i) * RS);
-      }
-    });
   }
 
   /// Lanes with a number in their state that is not finite. Several sums, since one would wait for itself.

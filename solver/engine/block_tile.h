@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Where the nodes of a home block's tile are in the grid.
+// Where the nodes of a home block's tile are in the grid, and copies to and fro.
 #pragma once
 
+#include "solver/core/rows.h"
 #include "solver/grid/grid.h"
 #include "solver/grid/particle_store.h"
 #include "solver/grid/tile.h"
@@ -26,6 +27,28 @@ BAKE_INLINE void for_each_run(const HomeBlock& block, Visit visit) {
       visit(tile_row + 1, grid(1), 4);
       if (block.high[2] > 4) visit(tile_row + 5, grid(5), block.high[2] - 4);
     }
+}
+
+/// Copies a block's nodes from grid rows of `row` numbers into the tile of a Gather.
+template <class FromTile, int row, class Real>
+void load_tile(const Real* grid, const HomeBlock& block, Real* tile) {
+  for_each_run(block, [&](std::size_t tile_row, std::size_t grid_row, int count) {
+    for (int i = 0; i < count; ++i) FromTile::load(grid + (grid_row + i) * row, tile + (tile_row + i) * FromTile::k_row);
+  });
+}
+
+/// Adds a tile of scattered rows of `row` numbers to the grid and clears it.
+template <int row, class Real>
+void flush_tile(Real* grid, const HomeBlock& block, Real* tile) {
+  using R = Row<Real, row>;
+  for_each_run(block, [&](std::size_t tile_row, std::size_t grid_row, int count) {
+    for (int i = 0; i < count; ++i) {
+      R sum = R::load(grid + (grid_row + i) * row);
+      sum.add(R::load(tile + (tile_row + i) * row), 1);
+      sum.store(grid + (grid_row + i) * row);
+      R::zero().store(tile + (tile_row + i) * row);
+    }
+  });
 }
 
 }  // namespace bake

@@ -20,6 +20,7 @@
 #include "solver/engine/engine_types.h"
 #include "solver/engine/implicit_heat.h"
 #include "solver/engine/sheets.h"
+#include "solver/engine/spring_back.h"
 #include "solver/engine/surface.h"
 #include "solver/engine/time_step.h"
 #include "solver/io/checkpoint.h"
@@ -81,6 +82,9 @@ class Engine {
   BlockWork<Real> work(const Step<Real>& step);
   void update_grid();
   void measure_surface();
+  void look_for_crumbs();
+  /// Of omega^2 of a particle alone, the share that particles have which have the fewest others around them.
+  double alone() const;
   bool keeps_surface() const { return physics_->needs_surface && scene_.surface.form == Form::standard && scene_.surface.keep_dx > 0; }
   double travelled(double dt) const;
   void write_surface(CheckpointWriter& out) const;
@@ -139,6 +143,14 @@ class Engine {
   double surface_travel_ = k_infinity;
   std::vector<double> surface_covers_;
   std::vector<typename FreeSurfaceMeasure<Real>::Nodes> surface_volumes_;  ///< that it was measured from, if a checkpoint will ask for them
+
+  /// What limits the step where particles have few others around them. It is looked for again once particles may have moved by a share of
+  /// dx or their stiffness may have changed, but not more often than pays; in between they count as alone.
+  static constexpr double k_crumbs_move_dx = 0.2;
+  static constexpr std::int64_t k_fewest_steps_per_look = 20, k_most_steps_per_look = 200;
+  SpringBack<Real> spring_back_;
+  double crumbs_share_ = 1, crumbs_travel_ = k_infinity;   ///< as found, and how far a particle may have moved since [dx]
+  std::int64_t crumbs_looked_ = -k_fewest_steps_per_look;  ///< step of the last look
 
   ParticleStore<Real> store_, spare_;
   AlignedBuffer<Real> scattered_, spare_rows_;  ///< what the next grid update takes; a spare one to move it into other blocks

@@ -65,7 +65,7 @@ void Engine<Real>::write(CheckpointWriter& out) const {
   out.add("tiles", std::span<const std::int32_t>(tiles));
   out.add("particles", std::span<const Real>(store_.data.data(), store_.data.size()));
   out.add("grid", std::span<const Real>(scattered_.data(), scattered_.size()));
-  const double numbers[] = {time_, dt_};
+  const double numbers[] = {time_, dt_, crumbs_share_, crumbs_travel_};
   out.add("numbers", std::span<const double>(numbers));
   out.add("booked", std::span<const double>(booked_));
   out.add("totals", std::span<const double>(totals_));
@@ -74,7 +74,7 @@ void Engine<Real>::write(CheckpointWriter& out) const {
   out.add("retired", std::span<const double>(retired_));
   out.add("emitted", std::span<const double>(emitted_));
   const std::int64_t counts[] = {counters_.steps,   counters_.particle_steps, counters_.orderings, counters_.clamped,
-                                 counters_.retired, next_identity_,           last_sorted_};
+                                 counters_.retired, next_identity_,           last_sorted_,        crumbs_looked_};
   out.add("counts", std::span<const std::int64_t>(counts));
   std::vector<double> given;
   for (const Given& g : given_) given.insert(given.end(), {g.impulse[0], g.impulse[1], g.impulse[2], g.heat});
@@ -94,13 +94,15 @@ void Engine<Real>::read(const CheckpointReader& in) {
              retired = in.array<double>("retired"), emitted = in.array<double>("emitted"), bounds = in.array<double>("bounds"),
              highest = in.array<double>("highest");
   const auto counts = in.array<std::int64_t>("counts");
-  expect(blocks.size() % 12 == 0 && tiles.size() % 2 == 0 && numbers.size() == 2 && booked.size() == booked_.size() &&
+  expect(blocks.size() % 12 == 0 && tiles.size() % 2 == 0 && numbers.size() == 4 && booked.size() == booked_.size() &&
          totals.size() == totals_.size() && retired.size() == totals.size() && emitted.size() == totals.size() &&
-         bounds.size() == bounds_.size() && highest.size() == highest_.size() && counts.size() == 7);
-  for (const auto* sums : {&numbers, &booked, &totals, &retired, &emitted}) expect_numbers(*sums, false);
-  for (const auto* largest : {&bounds, &highest}) expect_numbers(*largest, true);
-  expect(numbers[0] >= 0 && numbers[1] >= 0);
-  for (const std::int64_t count : counts) expect(count >= 0);
+         bounds.size() == bounds_.size() && highest.size() == highest_.size() && counts.size() == 8);
+  for (const auto* sums : {&booked, &totals, &retired, &emitted}) expect_numbers(*sums, false);
+  for (const auto* largest : {&numbers, &bounds, &highest}) expect_numbers(*largest, true);
+  expect(numbers[0] >= 0 && numbers[1] >= 0 && std::isfinite(numbers[0]) && std::isfinite(numbers[1]));
+  expect(numbers[2] >= 0 && numbers[2] <= 1 && numbers[3] >= 0);
+  for (std::size_t i = 0; i < 7; ++i) expect(counts[i] >= 0);
+  expect(counts[7] >= -k_fewest_steps_per_look && counts[7] <= counts[0]);
   expect(counts[6] <= counts[0]);  // sorted last in a step that was done
   store_.blocks.resize(blocks.size() / 12);
   for (std::size_t i = 0; i < store_.blocks.size(); ++i) {
@@ -153,12 +155,13 @@ void Engine<Real>::read(const CheckpointReader& in) {
     expect_numbers(given, false);
     for (std::size_t i = 0; i < given_.size(); ++i) given_[i] = {{given[4 * i], given[4 * i + 1], given[4 * i + 2]}, given[4 * i + 3]};
   }
-  time_ = numbers[0], dt_ = numbers[1];
+  time_ = numbers[0], dt_ = numbers[1], crumbs_share_ = numbers[2], crumbs_travel_ = numbers[3];
   std::copy(bounds.begin(), bounds.end(), bounds_.begin());
   std::copy(highest.begin(), highest.end(), highest_.begin());
   counters_ = {counts[0], counts[1], counts[2], counts[3], counts[4]};
   next_identity_ = counts[5];
   last_sorted_ = counts[6];
+  crumbs_looked_ = counts[7];
   if (keeps_surface()) read_surface(in);
   if (!(physics_->settling.damping > 0)) return;
   const auto settling = in.array<double>("settling");

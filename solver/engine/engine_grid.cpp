@@ -70,6 +70,7 @@ void Engine<Real>::update_grid() {
   const Step<Real> step = current_step();
   active_.find_touched(store_.blocks);
   contacts_.survey(active_);
+  look_for_crumbs();
   Air air;
   if (physics_->needs_surface) {
     air = {scene_.oven.heat_transfer_coefficient_W_per_m2K(time_), scene_.oven.temperature_C(time_),

@@ -84,7 +84,7 @@ void Engine<Real>::add(const std::vector<NewParticle>& particles, bool poured) {
   remap_blocks(before);
   carry_sampled(spare_, particles);
   scatter_new(fresh, start, poured);
-  surface_travel_ = k_infinity;
+  surface_travel_ = crumbs_travel_ = k_infinity;
 }
 
 template <class Real>

@@ -50,6 +50,7 @@ class Model final : public Physics<Real> {
                     Budget& booked) const override;
   void limit_step(const bake::Bounds& most, const StepScale& at, const Scene& scene, StepLimit& limit) const override;
   V conductance(const V* columns, int material) const override;
+  void find_springs(const V* columns, int material, V& inertia, V& spring) const override;
   void fill(V* columns, int lane, int material, double volume, const Body& body) const override;
 
  private:
@@ -176,6 +177,8 @@ struct Model<Scalar, Effects...>::Particle {
   V shear_stiffness = V{};                                   ///< its mu [Pa]
 
   BAKE_INLINE Particle(V* columns_of_tile, const Constants& constants) : columns(columns_of_tile), k(constants) {}
+
+  BAKE_INLINE V bulk_stiffness() const { return stiffness - Real(4. / 3) * shear_stiffness; }  ///< K [Pa]
 
   template <class F>
   static constexpr bool stores = Stored::template has<F>;
@@ -478,6 +481,19 @@ typename Model<Real, Effects...>::V Model<Real, Effects...>::conductance(const V
   };
   (one.template operator()<Effects>(std::get<ConstantsOf<Effects>>(k.effects)), ...);
   return sum;
+}
+
+template <class Real, class... Effects>
+void Model<Real, Effects...>::find_springs(const V* columns, int material, V& inertia, V& spring) const {
+  inertia = spring = V{};
+  if constexpr (Particle::template has<field::KirchhoffStress>) {
+    const Constants& k = materials_[static_cast<std::size_t>(material)];
+    Particle p(const_cast<V*>(columns), k);
+    for (V& c : p.transient) c = V{};
+    BAKE_FOR_EACH_EFFECT(stress, p, constants);
+    inertia = static_cast<Real>(this->inertia_scale) * p.mass();
+    spring = p[field::V_0] * p.bulk_stiffness();
+  }
 }
 
 #undef BAKE_FOR_EACH_EFFECT

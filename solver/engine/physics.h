@@ -148,6 +148,7 @@ class Physics {
   double inertia_scale = 1;            ///< inertial mass over mass
   int speed_bound = 0;                 ///< in Bounds, where something moves: |v|^2 [m^2/s^2]
   int rate_bound = 0;                  ///< and |C|^2 [1/s^2]
+  int own_bound = 0;                   ///< and the frequency of a particle alone, squared [1/s^2]
   SettlingRule settling;               ///< how the dough comes to rest before the scene's time begins
   bool samples_stress = false;         ///< what is sampled is not the velocity alone
   bool needs_surface = false;          ///< something passes the surface: it is measured
@@ -185,6 +186,8 @@ class Physics {
   virtual void limit_step(const Bounds& most, const StepScale& at, const Scene& scene, StepLimit& limit) const = 0;
   /// kappa V of a tile's particles [W m/K] (backward Euler).
   virtual V conductance(const V* columns, int material) const = 0;
+  /// Inertial mass of a tile's particles [kg], and V_0 times the bulk modulus of all that they are made of [J]; where something moves.
+  virtual void find_springs(const V* columns, int material, V& inertia, V& spring) const = 0;
   /// Writes the start state of one particle of a body into its lane.
   virtual void fill(V* columns, int lane, int material, double volume, const Body& body) const = 0;
 };

@@ -92,6 +92,14 @@ class SkinPhysics final : public Physics<Real> {
     return material < materials_ ? flesh_->conductance(columns, material) : V{};
   }
 
+  void find_springs(const V* columns, int material, V& inertia, V& spring) const override {
+    const int skin = material - materials_;
+    if (skin < 0)
+      flesh_->find_springs(columns, material, inertia, spring);
+    else
+      of(skin).find_springs(columns, 0, inertia, spring);
+  }
+
   /// `volume`: of a vertex, its share of the skin's.
   void fill(V* columns, int lane, int material, double volume, const Body& body) const override {
     const int skin = material - materials_;

@@ -6,10 +6,10 @@
 namespace bake {
 
 template <class Real>
-StepLimit largest_step(const Scene& scene, const Physics<Real>& physics, const Bounds& most, double contact_speed) {
+StepLimit largest_step(const Scene& scene, const Physics<Real>& physics, const Bounds& most, double contact_speed, double alone) {
   StepLimit limit{scene.time.largest_step_s, "time.largest_step_s"};
   const double diffusion = scene.grid.kernel == KernelOrder::quadratic ? 1. / 3 : 1. / 2;  // as the effects derive
-  physics.limit_step(most, {scene.dx(), scene.time.safety, scene.time.cfl, diffusion}, scene, limit);
+  physics.limit_step(most, {scene.dx(), scene.time.safety, scene.time.cfl, diffusion, alone}, scene, limit);
   double speed = contact_speed;
   for (const Emitter& emitter : scene.emitters)  // what is poured arrives between two choices
     speed = std::max(speed, length(emitter.velocity_m_per_s));
@@ -17,7 +17,7 @@ StepLimit largest_step(const Scene& scene, const Physics<Real>& physics, const B
   return limit;
 }
 
-template StepLimit largest_step(const Scene&, const Physics<float>&, const Bounds&, double);
-template StepLimit largest_step(const Scene&, const Physics<double>&, const Bounds&, double);
+template StepLimit largest_step(const Scene&, const Physics<float>&, const Bounds&, double, double);
+template StepLimit largest_step(const Scene&, const Physics<double>&, const Bounds&, double, double);
 
 }  // namespace bake

@@ -6,8 +6,8 @@
 
 namespace bake {
 
-/// `most`: maxima over the particles; `contact_speed`: of the fastest collider or grip [m/s].
+/// `most`: maxima over the particles; `contact_speed`: of the fastest collider or grip [m/s]; `alone`: see StepScale.
 template <class Real>
-StepLimit largest_step(const Scene& scene, const Physics<Real>& physics, const Bounds& most, double contact_speed);
+StepLimit largest_step(const Scene& scene, const Physics<Real>& physics, const Bounds& most, double contact_speed, double alone = 1);
 
 }  // namespace bake

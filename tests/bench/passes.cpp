@@ -44,6 +44,7 @@ class Still final : public Physics<Real> {
   void update_nodes(const V*, V*, NodeSums<Real>&, const Surroundings<Real>&, const Step<Real>&, Budget&) const override {}
   void limit_step(const Bounds&, const StepScale&, const Scene&, StepLimit&) const override {}
   V conductance(const V*, int) const override { return V{}; }
+  void find_springs(const V*, int, V&, V&) const override {}
   void fill(V*, int, int, double, const Body&) const override {}
 };
 

@@ -14,22 +14,24 @@ constexpr double k_dx = 0.1;
 
 /// Maxima over the particles, [m^2/s^2], [m^2/s] and [1/s^2].
 struct Most {
-  double speed2 = 0, sound_speed2 = 0, own_frequency2 = 0, heat = 0, water = 0, deformation2 = 0;
+  double speed2 = 0, sound_speed2 = 0, own_frequency2 = 0, inner_frequency2 = 0, heat = 0, water = 0, deformation2 = 0;
 };
 
-StepLimit limit(const Most& most, double contact_speed = 0, const std::string& tables = "[motion]\ngravity_m_per_s2 = [0, 0, 0]\n") {
+StepLimit limit(const Most& most, double contact_speed = 0, const std::string& tables = "[motion]\ngravity_m_per_s2 = [0, 0, 0]\n",
+                double alone = 1) {
   const Scene scene = scene_of_everything("yield_stress_Pa = 1\n", tables);
   const auto physics = make_physics<double>(scene);
   const std::map<std::string, double> numbers{{"speed_squared", most.speed2},
                                               {"sound_speed_squared", most.sound_speed2},
                                               {"own_frequency_squared", most.own_frequency2},
+                                              {"inner_frequency_squared", most.inner_frequency2},
                                               {"deformation_rate_squared", most.deformation2},
                                               {"heat_diffusivity", most.heat},
                                               {"water_diffusivity", most.water}};
   EXPECT_EQ(physics->bounds.size(), numbers.size());
   Bounds bounds{};
   for (const auto& q : physics->bounds) bounds[static_cast<std::size_t>(q.first)] = numbers.at(q.name);
-  return largest_step(scene, *physics, bounds, contact_speed);
+  return largest_step(scene, *physics, bounds, contact_speed, alone);
 }
 
 TEST(TheTimeStep, HasNoLimitWhereNothingMovesOrFlows) { EXPECT_EQ(limit({}).dt, k_infinity); }
@@ -42,6 +44,12 @@ TEST(TheTimeStep, LetsNoWaveCrossMoreThanHalfACell) {
 TEST(TheTimeStep, IsBelowTwoOverTheFrequencyOfAParticleAlone) { EXPECT_DOUBLE_EQ(limit({.own_frequency2 = 100}).dt, 0.9 * 2 / 10); }
 TEST(TheTimeStep, GoesBeyondTheLimitOfAParticleAloneWhereSafetySaysSo) {
   EXPECT_DOUBLE_EQ(limit({.own_frequency2 = 100}, 0, "[motion]\ngravity_m_per_s2 = [0, 0, 0]\n[time]\nsafety = 4\n").dt, 4 * 2 / 10.);
+}
+TEST(TheTimeStep, IsLongerWhereNoParticleIsAloneButBelowTwoOverTheFrequencyInside) {
+  const Most most{.own_frequency2 = 100, .inner_frequency2 = 49};
+  const std::string weightless = "[motion]\ngravity_m_per_s2 = [0, 0, 0]\n";
+  EXPECT_DOUBLE_EQ(limit(most, 0, weightless, 0.64).dt, 0.9 * 2 / 8);
+  EXPECT_DOUBLE_EQ(limit(most, 0, weightless, 0.25).dt, 0.9 * 2 / 7);
 }
 TEST(TheTimeStep, IsNoneOnceAVolumeIsNone) {
   const StepLimit found = limit({.own_frequency2 = k_infinity});
