@@ -8,6 +8,7 @@
 
 #include "solver/core/parallel.h"
 #include "solver/effects/fields.h"
+#include "solver/engine/spring_back.h"
 #include "solver/io/progress.h"
 #include "solver/scene/givers.h"
 
@@ -21,10 +22,9 @@ Engine<Real>::Engine(const Scene& scene)
       physics_(make_physics_with_skins<Real>(scene)),
       kernel_(make_block_kernel<Real>(scene.grid.kernel, *physics_)),
       contacts_(scene, geometry_),
-      spring_back_(scene.grid.kernel),
       scratch_(static_cast<std::size_t>(omp_get_max_threads())),
       implicit_heat_(scene.grid.kernel) {
-  store_.columns = spare_.columns = physics_->column_count;
+  store_.columns = physics_->column_count;
   given_.resize(givers_of(scene).size());
 }
 
@@ -118,7 +118,8 @@ void Engine<Real>::look_for_crumbs() {
   if (counters_.steps - crumbs_looked_ < k_fewest_steps_per_look) return;
   const auto longest = [&](double share) { return largest_step(scene_, *physics_, bounds_, contacts_.largest_speed(), share).dt; };
   if (!(longest(0) > longest(1))) return;
-  crumbs_share_ = std::min(k_margin * spring_back_.largest(store_, *physics_, geometry_.dx(), colours_, active_.at.size()) / own, 1.0);
+  crumbs_share_ =
+      std::min(k_margin * spring_back(scene_.grid.kernel, store_, *physics_, geometry_.dx(), colours_, active_.at.size()) / own, 1.0);
   crumbs_travel_ = 0;
   crumbs_looked_ = counters_.steps;
 }
@@ -164,7 +165,7 @@ void Engine<Real>::pass(double after, double next_dt, bool next_settles, bool sa
   step.dt_next = static_cast<Real>(next_dt);
   step.baking_dt_next = next_settles ? Real(0) : step.dt_next;
   BlockWork<Real> w = work(step);
-  sampled_.resize_and_forget(0);
+  sampled_ = {};  // its memory, too: frames are rare
   if (sample && physics_->moves) {
     sampled_.resize_and_forget(store_.tiles.size() * static_cast<std::size_t>(physics_->sampled() * k_width<Real>));
     w.sampled = sampled_.data();
@@ -234,10 +235,9 @@ void Engine<Real>::sum_given(const std::vector<Given>& of_blocks) {
 
 template <class Real>
 std::size_t Engine<Real>::bytes() const {
-  return store_.data.bytes() + spare_.data.bytes() + scattered_.bytes() + spare_rows_.bytes() + gathered_.bytes() + sampled_.bytes() +
-         (store_.tiles.capacity() + spare_.tiles.capacity()) * sizeof(Tile) +
-         (store_.blocks.capacity() + spare_.blocks.capacity()) * sizeof(HomeBlock) + active_.slot_of.capacity() * sizeof(std::int32_t) +
-         surface_.bytes() + spring_back_.bytes() + surface_volumes_.capacity() * sizeof(surface_volumes_[0]) + contacts_.bytes();
+  return store_.data.bytes() + scattered_.bytes() + gathered_.bytes() + sampled_.bytes() + store_.tiles.capacity() * sizeof(Tile) +
+         store_.blocks.capacity() * sizeof(HomeBlock) + active_.slot_of.capacity() * sizeof(std::int32_t) + surface_.bytes() +
+         surface_volumes_.capacity() * sizeof(surface_volumes_[0]) + contacts_.bytes();
 }
 
 template class Engine<float>;

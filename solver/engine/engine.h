@@ -20,7 +20,6 @@
 #include "solver/engine/engine_types.h"
 #include "solver/engine/implicit_heat.h"
 #include "solver/engine/sheets.h"
-#include "solver/engine/spring_back.h"
 #include "solver/engine/surface.h"
 #include "solver/engine/time_step.h"
 #include "solver/io/checkpoint.h"
@@ -33,6 +32,8 @@ class Engine {
  public:
   explicit Engine(const Scene& scene);
 
+  /// Makes room for so many particles more.
+  void reserve(std::size_t more);
   /// Adds particles, all of them in the domain, between passes, with consecutive identities; those that are poured are booked.
   void add(const std::vector<NewParticle>& particles, bool poured = false);
   /// Puts skins onto the bodies: a mesh at rest for each of the scene's, and their vertices as particles in the same order. Once, after the
@@ -125,7 +126,9 @@ class Engine {
   void migrate_particles(std::vector<Migrant<Real>>& migrants);
   void after_sorting();
   void remap_blocks(const ActiveBlocks& before);
-  void carry_sampled(const ParticleStore<Real>& before, const std::vector<NewParticle>& added);
+  using SampledNumbers = std::vector<std::array<Real, 9>>;
+  SampledNumbers take_sampled() const;
+  void put_sampled(SampledNumbers of, const std::vector<NewParticle>& added);
   void reduce(const std::vector<BlockResult<Real>>& results);
   void scatter_new(const ParticleStore<Real>& fresh, const std::vector<Real>& start, bool poured);
   double next_step(double from, double target, double next_target);
@@ -148,13 +151,12 @@ class Engine {
   /// dx or their stiffness may have changed, but not more often than pays; in between they count as alone.
   static constexpr double k_crumbs_move_dx = 0.2;
   static constexpr std::int64_t k_fewest_steps_per_look = 20, k_most_steps_per_look = 200;
-  SpringBack<Real> spring_back_;
   double crumbs_share_ = 1, crumbs_travel_ = k_infinity;   ///< as found, and how far a particle may have moved since [dx]
   std::int64_t crumbs_looked_ = -k_fewest_steps_per_look;  ///< step of the last look
 
-  ParticleStore<Real> store_, spare_;
-  AlignedBuffer<Real> scattered_, spare_rows_;  ///< what the next grid update takes; a spare one to move it into other blocks
-  AlignedBuffer<Real> gathered_;                ///< what the last grid update gave
+  ParticleStore<Real> store_;
+  AlignedBuffer<Real> scattered_;  ///< what the next grid update takes
+  AlignedBuffer<Real> gathered_;   ///< what the last grid update gave
   ActiveBlocks active_;
   std::vector<BlockColumns> colours_;  ///< blocks of columns of one colour never touch the same node
   AlignedBuffer<Real> sampled_;

@@ -11,6 +11,11 @@
 namespace bake {
 
 template <class Real>
+void Engine<Real>::reserve(std::size_t more) {
+  store_.data.reserve((store_.tiles.size() + more / k_width<Real>)*store_.tile_size());
+}
+
+template <class Real>
 void Engine<Real>::add(const std::vector<NewParticle>& particles, bool poured) {
   constexpr int W = k_width<Real>;
   if (particles.empty()) return;
@@ -77,12 +82,12 @@ void Engine<Real>::add(const std::vector<NewParticle>& particles, bool poured) {
     }
   next_identity_ += static_cast<std::int64_t>(particles.size());
 
-  sort_particles<Real>(store_, &fresh, geometry_, nullptr, spare_);
-  std::swap(store_, spare_);
+  const auto sampled = take_sampled();
+  sort_particles<Real>(store_, &fresh, geometry_, nullptr);
   const ActiveBlocks before = active_;
   after_sorting();
   remap_blocks(before);
-  carry_sampled(spare_, particles);
+  put_sampled(sampled, particles);
   scatter_new(fresh, start, poured);
   surface_travel_ = crumbs_travel_ = k_infinity;
 }
@@ -162,18 +167,18 @@ void Engine<Real>::after_sorting() {
 template <class Real>
 void Engine<Real>::remap_blocks(const ActiveBlocks& before) {
   const std::size_t block_size = static_cast<std::size_t>(k_block_nodes) * static_cast<std::size_t>(scattered_row());
-  spare_rows_.resize_and_forget(active_.at.size() * block_size);
+  AlignedBuffer<Real> rows;
+  rows.resize_and_forget(active_.at.size() * block_size);
 #pragma omp parallel for schedule(static)
   for (std::size_t i = 0; i < active_.at.size(); ++i) {
     const std::size_t linear = geometry_.linear(active_.at[i]);
     const std::int32_t old = before.slot_of.empty() ? -1 : before.slot_of[linear];
     if (old >= 0)
-      std::memcpy(spare_rows_.data() + i * block_size, scattered_.data() + static_cast<std::size_t>(old) * block_size,
-                  block_size * sizeof(Real));
+      std::memcpy(rows.data() + i * block_size, scattered_.data() + static_cast<std::size_t>(old) * block_size, block_size * sizeof(Real));
     else
-      std::memset(spare_rows_.data() + i * block_size, 0, block_size * sizeof(Real));
+      std::memset(rows.data() + i * block_size, 0, block_size * sizeof(Real));
   }
-  scattered_.swap(spare_rows_);
+  scattered_.swap(rows);
   if (active_.at != before.at) surface_travel_ = k_infinity;
 }
 
@@ -211,30 +216,40 @@ void Engine<Real>::migrate_particles(std::vector<Migrant<Real>>& migrants) {
   const auto leave_out = [&](std::int32_t tile, std::int32_t lane) {
     return std::binary_search(retired.begin(), retired.end(), std::pair(tile, lane));
   };
-  sort_particles<Real>(store_, nullptr, geometry_, retired.empty() ? std::function<bool(std::int32_t, std::int32_t)>() : leave_out, spare_);
-  std::swap(store_, spare_);
+  const auto sampled = take_sampled();
+  sort_particles<Real>(store_, nullptr, geometry_, retired.empty() ? std::function<bool(std::int32_t, std::int32_t)>() : leave_out);
   const ActiveBlocks before = active_;
   after_sorting();
   remap_blocks(before);
-  carry_sampled(spare_, {});
+  put_sampled(sampled, {});
   BlockWork<Real> w = work(current_step());
   for (std::size_t i = 0; i < migrants.size(); ++i)
     if (!migrants[i].retired) kernel_->scatter_rows(w, home_of(homes[i].block), homes[i].x, migrants[i].rows.data());
   phases_.ordering += steady_seconds() - began;
 }
 
-/// What was sampled follows its particles from the order `before` into the present one; those just added have their velocity.
+/// What was sampled, by the particles' identities; none if nothing was.
 template <class Real>
-void Engine<Real>::carry_sampled(const ParticleStore<Real>& before, const std::vector<NewParticle>& added) {
+typename Engine<Real>::SampledNumbers Engine<Real>::take_sampled() const {
+  constexpr int W = k_width<Real>;
+  if (sampled_.size() == 0) return {};
+  const auto numbers = static_cast<std::size_t>(physics_->sampled());
+  SampledNumbers of(static_cast<std::size_t>(next_identity_));
+  for (std::size_t t = 0; t < store_.tiles.size(); ++t)
+    for (int l = 0; l < store_.tiles[t].count; ++l)
+      for (std::size_t d = 0; d < numbers; ++d)
+        of[static_cast<std::size_t>(identity_of<Real>(store_.tile(t), l))][d] =
+            sampled_.data()[(t * numbers + d) * W + static_cast<std::size_t>(l)];
+  return of;
+}
+
+/// Into the present order; those just added, which have the last identities, have their velocity.
+template <class Real>
+void Engine<Real>::put_sampled(SampledNumbers of, const std::vector<NewParticle>& added) {
   constexpr int W = k_width<Real>;
   if (sampled_.size() == 0) return;
   const auto numbers = static_cast<std::size_t>(physics_->sampled());
-  std::vector<std::array<Real, 9>> of(static_cast<std::size_t>(next_identity_));
-  for (std::size_t t = 0; t < before.tiles.size(); ++t)
-    for (int l = 0; l < before.tiles[t].count; ++l)
-      for (std::size_t d = 0; d < numbers; ++d)
-        of[static_cast<std::size_t>(identity_of<Real>(before.tile(t), l))][d] =
-            sampled_.data()[(t * numbers + d) * W + static_cast<std::size_t>(l)];
+  of.resize(static_cast<std::size_t>(next_identity_));
   for (std::size_t i = 0; i < added.size(); ++i)
     for (std::size_t d = 0; d < 3; ++d) of[of.size() - added.size() + i][d] = static_cast<Real>(added[i].velocity[d]);
   sampled_.resize_and_forget(store_.tiles.size() * numbers * W);
@@ -246,13 +261,15 @@ void Engine<Real>::carry_sampled(const ParticleStore<Real>& before, const std::v
 }
 
 #define BAKE_INSTANTIATE(Real)                                                                         \
+  template void Engine<Real>::reserve(std::size_t);                                                    \
   template void Engine<Real>::add(const std::vector<NewParticle>&, bool);                              \
   template void Engine<Real>::scatter_new(const ParticleStore<Real>&, const std::vector<Real>&, bool); \
   template std::int32_t Engine<Real>::home_of(const BlockIndex&) const;                                \
   template void Engine<Real>::after_sorting();                                                         \
   template void Engine<Real>::remap_blocks(const ActiveBlocks&);                                       \
   template void Engine<Real>::migrate_particles(std::vector<Migrant<Real>>&);                          \
-  template void Engine<Real>::carry_sampled(const ParticleStore<Real>&, const std::vector<NewParticle>&);
+  template typename Engine<Real>::SampledNumbers Engine<Real>::take_sampled() const;                   \
+  template void Engine<Real>::put_sampled(SampledNumbers, const std::vector<NewParticle>&);
 BAKE_INSTANTIATE(float)
 BAKE_INSTANTIATE(double)
 #undef BAKE_INSTANTIATE

@@ -2,7 +2,6 @@
 #include "solver/engine/spring_back.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "solver/core/parallel.h"
 #include "solver/engine/block_tile.h"
@@ -71,41 +70,42 @@ class Block {
   const HomeBlock& block_;
 };
 
-}  // namespace
-
-template <class Real>
-template <KernelOrder order>
-double SpringBack<Real>::largest_of(const ParticleStore<Real>& store, const Physics<Real>& physics, double dx,
-                                    const std::vector<BlockColumns>& colours, std::size_t blocks) {
+template <class Real, KernelOrder order>
+double spring_back(const ParticleStore<Real>& store, const Physics<Real>& physics, double dx, const std::vector<BlockColumns>& colours,
+                   std::size_t blocks) {
   const std::size_t row_of_block = k_block_nodes * k_row;
-  rows_.resize_and_forget(blocks * row_of_block);
-  for_each_parallel(blocks, 16, [&](std::size_t s) { std::memset(rows_.data() + s * row_of_block, 0, row_of_block * sizeof(Real)); });
+  AlignedBuffer<Real> rows;  // of each node: force over dx and then acceleration over dx, and mass
+  rows.resize_and_forget(blocks * row_of_block);
   for (const BlockColumns& columns : colours)
     for_each_parallel(columns.size(), 1, [&](std::size_t c) {
-      for (std::int32_t b = columns[c].first; b < columns[c].second; ++b) Block<Real, order>(store, b).scatter(physics, dx, rows_.data());
+      for (std::int32_t b = columns[c].first; b < columns[c].second; ++b) Block<Real, order>(store, b).scatter(physics, dx, rows.data());
     });
   for_each_parallel(blocks, 16, [&](std::size_t s) {
-    for (Real* node = rows_.data() + s * row_of_block; node < rows_.data() + (s + 1) * row_of_block; node += k_row) {
+    for (Real* node = rows.data() + s * row_of_block; node < rows.data() + (s + 1) * row_of_block; node += k_row) {
       const Real per_mass = node[3] > 0 ? 1 / node[3] : Real(0);
       for (int d = 0; d < 3; ++d) node[d] *= per_mass;
     }
   });
-  of_block_.resize(store.blocks.size());
-  for_each_parallel(of_block_.size(), 4,
-                    [&](std::size_t b) { of_block_[b] = Block<Real, order>(store, static_cast<std::int32_t>(b)).gather(rows_.data()); });
+  std::vector<Real> of_block(store.blocks.size());
+  for_each_parallel(of_block.size(), 4,
+                    [&](std::size_t b) { of_block[b] = Block<Real, order>(store, static_cast<std::int32_t>(b)).gather(rows.data()); });
   Real most = 0;
-  for (const Real of : of_block_) most = std::max(most, of);
+  for (const Real of : of_block) most = std::max(most, of);
   return static_cast<double>(most);
 }
 
+}  // namespace
+
 template <class Real>
-double SpringBack<Real>::largest(const ParticleStore<Real>& store, const Physics<Real>& physics, double dx,
-                                 const std::vector<BlockColumns>& colours, std::size_t blocks) {
-  return order_ == KernelOrder::quadratic ? largest_of<KernelOrder::quadratic>(store, physics, dx, colours, blocks)
-                                          : largest_of<KernelOrder::cubic>(store, physics, dx, colours, blocks);
+double spring_back(KernelOrder order, const ParticleStore<Real>& store, const Physics<Real>& physics, double dx,
+                   const std::vector<BlockColumns>& colours, std::size_t blocks) {
+  const auto one = order == KernelOrder::quadratic ? spring_back<Real, KernelOrder::quadratic> : spring_back<Real, KernelOrder::cubic>;
+  return one(store, physics, dx, colours, blocks);
 }
 
-template class SpringBack<float>;
-template class SpringBack<double>;
+template double spring_back(KernelOrder, const ParticleStore<float>&, const Physics<float>&, double, const std::vector<BlockColumns>&,
+                            std::size_t);
+template double spring_back(KernelOrder, const ParticleStore<double>&, const Physics<double>&, double, const std::vector<BlockColumns>&,
+                            std::size_t);
 
 }  // namespace bake

@@ -14,28 +14,10 @@
 
 namespace bake {
 
+/// The largest omega_p^2 of all particles [1/s^2]; 0 without any. About as dear as a step without the effects; same bits for any number of
+/// threads. `blocks`: of the grid.
 template <class Real>
-class SpringBack {
- public:
-  explicit SpringBack(KernelOrder order) : order_(order) {}
-
-  /// The largest omega_p^2 of all particles [1/s^2]; 0 without any. About as dear as a step without the effects; same bits for any number
-  /// of threads. `blocks`: of the grid.
-  double largest(const ParticleStore<Real>& store, const Physics<Real>& physics, double dx, const std::vector<BlockColumns>& colours,
-                 std::size_t blocks);
-  std::size_t bytes() const { return rows_.bytes(); }
-
- private:
-  template <KernelOrder order>
-  double largest_of(const ParticleStore<Real>& store, const Physics<Real>& physics, double dx, const std::vector<BlockColumns>& colours,
-                    std::size_t blocks);
-
-  KernelOrder order_;
-  AlignedBuffer<Real> rows_;  ///< of each node: force over dx and then acceleration over dx, and mass
-  std::vector<Real> of_block_;
-};
-
-extern template class SpringBack<float>;
-extern template class SpringBack<double>;
+double spring_back(KernelOrder order, const ParticleStore<Real>& store, const Physics<Real>& physics, double dx,
+                   const std::vector<BlockColumns>& colours, std::size_t blocks);
 
 }  // namespace bake

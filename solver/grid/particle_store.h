@@ -18,24 +18,38 @@
 
 namespace bake {
 
-/// A buffer on a 64-byte boundary. It is zero at first, and its contents are lost when it grows.
+/// A buffer on a 64-byte boundary. It is zero at first.
 template <class Real>
 class AlignedBuffer {
  public:
+  AlignedBuffer() = default;
+  AlignedBuffer(const AlignedBuffer& other) {
+    resize_and_forget(other.size_);
+    if (size_ > 0) std::memcpy(data(), other.data(), size_ * sizeof(Real));
+  }
+  AlignedBuffer(AlignedBuffer&&) noexcept = default;
+  AlignedBuffer& operator=(AlignedBuffer&&) noexcept = default;
   void resize_and_forget(std::size_t count) {
-    if (count > capacity_) {
-      data_.reset();
-      capacity_ = count + count / 8;
-      auto* raw = static_cast<Real*>(std::aligned_alloc(64, (capacity_ * sizeof(Real) + 63) / 64 * 64));
-      if (!raw) throw std::bad_alloc();
-      data_.reset(raw);
-      std::memset(raw, 0, capacity_ * sizeof(Real));
-    }
+    if (count > capacity_) data_.reset();  // before the larger one is there
+    reserve(count);
     size_ = count;
+  }
+  /// Room for so many numbers, and a sixteenth more where it has to grow. Those that it has stay.
+  void reserve(std::size_t count) {
+    if (count <= capacity_) return;
+    const std::size_t capacity = count + count / 16;
+    auto* raw = static_cast<Real*>(std::aligned_alloc(64, (capacity * sizeof(Real) + 63) / 64 * 64));
+    if (!raw) throw std::bad_alloc();
+    const std::size_t kept = data_ ? size_ : 0;
+    if (kept > 0) std::memcpy(raw, data(), kept * sizeof(Real));
+    std::memset(raw + kept, 0, (capacity - kept) * sizeof(Real));
+    data_.reset(raw);
+    capacity_ = capacity;
   }
   Real* data() { return data_.get(); }
   const Real* data() const { return data_.get(); }
   std::size_t size() const { return size_; }
+  std::size_t capacity() const { return capacity_; }
   std::size_t bytes() const { return capacity_ * sizeof(Real); }
   void swap(AlignedBuffer& other) {
     data_.swap(other.data_);

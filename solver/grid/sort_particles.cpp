@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <limits>
 
+#include "solver/core/parallel.h"
 #include "solver/grid/tile.h"
 
 namespace bake {
@@ -25,13 +28,11 @@ Home<Real> find_home(const BlockIndex& block, const Real (&x)[3]) {
 
 namespace {
 
-/// Where a particle is now and where it goes.
+/// Where a particle goes, by its number: that of its tile, through both sources one after the other, times W, and its lane.
 struct SortKey {
   std::uint32_t block;  ///< linear number of its new home
   std::uint16_t cell;   ///< in that block
   std::uint16_t material;
-  std::uint32_t tile;  ///< numbered through both sources, one after the other
-  std::uint32_t lane;
 };
 
 constexpr std::uint32_t k_left_out = 0xffffffffu;
@@ -49,8 +50,7 @@ void write_keys(const ParticleStore<Real>& from, std::uint32_t first_tile, const
       const auto* columns = from.tile(static_cast<std::size_t>(t));
       for (std::int32_t l = 0; l < W; ++l) {
         SortKey& key = keys[(first_tile + static_cast<std::uint32_t>(t)) * W + static_cast<std::uint32_t>(l)];
-        key = {k_left_out, 0, static_cast<std::uint16_t>(tile.material), first_tile + static_cast<std::uint32_t>(t),
-               static_cast<std::uint32_t>(l)};
+        key = {k_left_out, 0, static_cast<std::uint16_t>(tile.material)};
         if (l >= tile.count || (leave_out && (*leave_out)(t, l))) continue;
         const Real x[3] = {columns[0][l], columns[1][l], columns[2][l]};
         const Home<Real> home = find_home(block.at, x);
@@ -59,6 +59,38 @@ void write_keys(const ParticleStore<Real>& from, std::uint32_t first_tile, const
       }
     }
   }
+}
+
+/// Blocks of the new order that are written side by side: from one to the next, and of the store's old tiles the first that these blocks or
+/// later ones are made of.
+struct Portion {
+  std::size_t first, end;
+  std::size_t oldest_needed;
+};
+
+/// Of some thousand tiles each. `oldest_of(b)`: the first of the store's old tiles that block b is made of.
+template <class OldestOf>
+std::vector<Portion> portions(const std::vector<HomeBlock>& blocks, OldestOf oldest_of) {
+  constexpr std::int32_t k_tiles = 4096;
+  std::vector<Portion> all;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    if (all.empty() || blocks[b].first_tile - blocks[all.back().first].first_tile >= k_tiles)
+      all.push_back({b, b, std::numeric_limits<std::size_t>::max()});
+    all.back().end = b + 1;
+    all.back().oldest_needed = std::min(all.back().oldest_needed, oldest_of(b));
+  }
+  for (std::size_t i = all.size(); i-- > 1;) all[i - 1].oldest_needed = std::min(all[i - 1].oldest_needed, all[i].oldest_needed);
+  return all;
+}
+
+/// Moves the old tiles back by `shift` tiles, so that none is overwritten before it is read.
+template <class Real>
+void move_back(ParticleStore<Real>& store, std::size_t shift, std::size_t new_tiles) {
+  const std::size_t old = store.data.size(), gap = shift * store.tile_size();
+  const std::size_t wanted = std::max(old + gap, new_tiles * store.tile_size());
+  store.data.reserve(wanted);
+  store.data.resize_and_forget(wanted);  // it fits: nothing is forgotten
+  if (old > 0 && gap > 0) std::memmove(store.data.data() + gap, store.data.data(), old * sizeof(Real));
 }
 
 }  // namespace
@@ -71,19 +103,20 @@ bool may_reach_face(const BlockIndex& block, const GridGeometry& geometry) {
 }
 
 template <class Real>
-void sort_particles(const ParticleStore<Real>& from, const ParticleStore<Real>* more, const GridGeometry& geometry,
-                    const std::function<bool(std::int32_t, std::int32_t)>& leave_out, ParticleStore<Real>& to) {
+void sort_particles(ParticleStore<Real>& store, const ParticleStore<Real>* more, const GridGeometry& geometry,
+                    const std::function<bool(std::int32_t, std::int32_t)>& leave_out) {
   constexpr int W = k_width<Real>;
-  const std::size_t tiles = from.tiles.size() + (more ? more->tiles.size() : 0);
+  const std::size_t old_tiles = store.tiles.size(), tiles = old_tiles + (more ? more->tiles.size() : 0);
   std::vector<SortKey> keys(tiles * W);
-  write_keys(from, 0, geometry, leave_out ? &leave_out : nullptr, keys);
-  if (more) write_keys(*more, static_cast<std::uint32_t>(from.tiles.size()), geometry, nullptr, keys);
+  write_keys(store, 0, geometry, leave_out ? &leave_out : nullptr, keys);
+  if (more) write_keys(*more, static_cast<std::uint32_t>(old_tiles), geometry, nullptr, keys);
 
   // counting sort by block
   std::vector<std::uint32_t> first(geometry.block_count() + 1, 0);
   for (const SortKey& t : keys)
     if (t.block != k_left_out) ++first[t.block + 1];
-  to.blocks.clear();
+  std::vector<HomeBlock>& blocks = store.blocks;
+  blocks.clear();
   for (std::size_t b = 0; b < geometry.block_count(); ++b) {
     if (first[b + 1] > 0) {
       HomeBlock block{};
@@ -91,7 +124,7 @@ void sort_particles(const ParticleStore<Real>& from, const ParticleStore<Real>* 
       block.at_face = may_reach_face(block.at, geometry);
       for (int d = 0; d < 3; ++d)
         block.low[d] = 0, block.high[d] = k_tile_side - 1;  // all of it, until the first scatter tells what it touched
-      to.blocks.push_back(block);
+      blocks.push_back(block);
     }
     first[b + 1] += first[b];
   }
@@ -103,62 +136,71 @@ void sort_particles(const ParticleStore<Real>& from, const ParticleStore<Real>* 
   }
 
   // within a block by material, then cell; a tile holds one material
-  const auto blocks = static_cast<std::int64_t>(to.blocks.size());
-  std::vector<std::vector<Tile>> tiles_of(to.blocks.size());
-#pragma omp parallel for schedule(dynamic, 8)
-  for (std::int64_t b = 0; b < blocks; ++b) {
-    const std::size_t linear = geometry.linear(to.blocks[static_cast<std::size_t>(b)].at);
+  std::vector<std::vector<Tile>> tiles_of(blocks.size());
+  std::vector<std::size_t> oldest_of(blocks.size(), std::numeric_limits<std::size_t>::max());
+  for_each_parallel(blocks.size(), 8, [&](std::size_t b) {
+    const std::size_t linear = geometry.linear(blocks[b].at);
     const auto begin = sorted.begin() + first[linear], end = sorted.begin() + first[linear + 1];
     std::stable_sort(begin, end, [&](std::uint32_t i, std::uint32_t j) {
       const SortKey &a = keys[i], &c = keys[j];
       return a.material != c.material ? a.material < c.material : a.cell < c.cell;
     });
-    auto& mine = tiles_of[static_cast<std::size_t>(b)];
+    std::vector<Tile>& mine = tiles_of[b];
     for (auto i = begin; i != end; ++i) {
       const std::int32_t material = keys[*i].material;
       if (mine.empty() || mine.back().material != material || mine.back().count == W) mine.push_back({material, 0});
       ++mine.back().count;
+      if (const std::size_t tile = *i / W; tile < old_tiles) oldest_of[b] = std::min(oldest_of[b], tile);
     }
-  }
-  to.tiles.clear();
-  for (std::size_t b = 0; b < to.blocks.size(); ++b) {
-    to.blocks[b].first_tile = static_cast<std::int32_t>(to.tiles.size());
-    to.blocks[b].tiles = static_cast<std::int32_t>(tiles_of[b].size());
-    to.tiles.insert(to.tiles.end(), tiles_of[b].begin(), tiles_of[b].end());
+  });
+  keys = {};
+  store.tiles.clear();
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    blocks[b].first_tile = static_cast<std::int32_t>(store.tiles.size());
+    blocks[b].tiles = static_cast<std::int32_t>(tiles_of[b].size());
+    store.tiles.insert(store.tiles.end(), tiles_of[b].begin(), tiles_of[b].end());
   }
 
-  to.columns = from.columns;
-  to.data.resize_and_forget(to.tiles.size() * to.tile_size());
-#pragma omp parallel for schedule(dynamic, 8)
-  for (std::int64_t b = 0; b < blocks; ++b) {
-    const HomeBlock& block = to.blocks[static_cast<std::size_t>(b)];
-    std::size_t at = first[geometry.linear(block.at)];
-    for (std::int32_t t = block.first_tile; t < block.first_tile + block.tiles; ++t) {
-      Real* target = to.data.data() + static_cast<std::size_t>(t) * to.tile_size();
-      const std::int32_t count = to.tiles[static_cast<std::size_t>(t)].count;
-      for (std::int32_t l = 0; l < W; ++l) {
-        const SortKey& key = keys[sorted[at + static_cast<std::size_t>(std::min(l, count - 1))]];
-        const bool old = key.tile < from.tiles.size();
-        const ParticleStore<Real>& source = old ? from : *more;
-        const std::size_t tile = old ? key.tile : key.tile - from.tiles.size();
-        const Real* origin = source.data.data() + tile * source.tile_size() + key.lane;
-        for (int c = 0; c < to.columns; ++c) target[c * W + l] = origin[c * W];
-        // shifts the position to the new home by whole cells, to 0..3 on each axis; the fraction of a cell stays
-        for (int d = 0; d < 3; ++d) {
-          Real& x = target[d * W + l];
-          x -= Real(4 * (static_cast<int>(std::floor(x - Real(0.5))) >> 2));
-        }
-      }
-      at += static_cast<std::size_t>(count);
-    }
+  // what a portion writes must lie before what it and later ones still read
+  const std::vector<Portion> all = portions(blocks, [&](std::size_t b) { return oldest_of[b]; });
+  std::size_t shift = 0;
+  for (const Portion& portion : all) {
+    const HomeBlock& last = blocks[portion.end - 1];
+    const auto end = static_cast<std::size_t>(last.first_tile + last.tiles);
+    if (end > portion.oldest_needed) shift = std::max(shift, end - portion.oldest_needed);
   }
+  const std::size_t size = store.tile_size();
+  move_back(store, shift, store.tiles.size());
+  const Real* old = store.data.data() + shift * size;
+  for (const Portion& portion : all)
+    for_each_parallel(portion.end - portion.first, 8, [&](std::size_t i) {
+      const HomeBlock& block = blocks[portion.first + i];
+      std::size_t at = first[geometry.linear(block.at)];
+      for (std::int32_t t = block.first_tile; t < block.first_tile + block.tiles; ++t) {
+        Real* target = store.data.data() + static_cast<std::size_t>(t) * size;
+        const std::int32_t count = store.tiles[static_cast<std::size_t>(t)].count;
+        for (std::int32_t l = 0; l < W; ++l) {
+          const std::uint32_t number = sorted[at + static_cast<std::size_t>(std::min(l, count - 1))];
+          const std::size_t tile = number / W, lane = number % W;
+          const Real* origin = (tile < old_tiles ? old + tile * size : more->data.data() + (tile - old_tiles) * size) + lane;
+          for (int c = 0; c < store.columns; ++c) target[c * W + l] = origin[c * W];
+          // shifts the position to the new home by whole cells, to 0..3 on each axis; the fraction of a cell stays
+          for (int d = 0; d < 3; ++d) {
+            Real& x = target[d * W + l];
+            x -= Real(4 * (static_cast<int>(std::floor(x - Real(0.5))) >> 2));
+          }
+        }
+        at += static_cast<std::size_t>(count);
+      }
+    });
+  store.data.resize_and_forget(store.tiles.size() * size);
 }
 
 template Home<float> find_home(const BlockIndex&, const float (&)[3]);
 template Home<double> find_home(const BlockIndex&, const double (&)[3]);
-template void sort_particles(const ParticleStore<float>&, const ParticleStore<float>*, const GridGeometry&,
-                             const std::function<bool(std::int32_t, std::int32_t)>&, ParticleStore<float>&);
-template void sort_particles(const ParticleStore<double>&, const ParticleStore<double>*, const GridGeometry&,
-                             const std::function<bool(std::int32_t, std::int32_t)>&, ParticleStore<double>&);
+template void sort_particles(ParticleStore<float>&, const ParticleStore<float>*, const GridGeometry&,
+                             const std::function<bool(std::int32_t, std::int32_t)>&);
+template void sort_particles(ParticleStore<double>&, const ParticleStore<double>*, const GridGeometry&,
+                             const std::function<bool(std::int32_t, std::int32_t)>&);
 
 }  // namespace bake

@@ -10,12 +10,13 @@
 
 namespace bake {
 
-/// Makes a new store from the particles of `from` and then of `more` (may be null), leaving out those for which
-/// `leave_out(tile, lane)` holds (asked of `from` only). Stable: particles of one cell keep their order. Positions must lie
-/// inside the geometry. Same result for any number of threads.
+/// Sorts the particles of `store` and, behind them, of `more` (may be null), leaving out those for which `leave_out(tile, lane)` holds
+/// (asked of `store` only). Stable: particles of one cell keep their order. Positions must lie inside the geometry. In place, where the
+/// buffer's capacity allows: particles hardly move, so that the part of the store that is read and written at a time is small. Same result
+/// for any number of threads.
 template <class Real>
-void sort_particles(const ParticleStore<Real>& from, const ParticleStore<Real>* more, const GridGeometry& geometry,
-                    const std::function<bool(std::int32_t tile, std::int32_t lane)>& leave_out, ParticleStore<Real>& to);
+void sort_particles(ParticleStore<Real>& store, const ParticleStore<Real>* more, const GridGeometry& geometry,
+                    const std::function<bool(std::int32_t tile, std::int32_t lane)>& leave_out);
 
 /// Whether particles at home in this block may reach a face of the domain before they are sorted again.
 bool may_reach_face(const BlockIndex& block, const GridGeometry& geometry);
@@ -30,9 +31,9 @@ struct Home {
 template <class Real>
 Home<Real> find_home(const BlockIndex& block, const Real (&x)[3]);
 
-extern template void sort_particles(const ParticleStore<float>&, const ParticleStore<float>*, const GridGeometry&,
-                                    const std::function<bool(std::int32_t, std::int32_t)>&, ParticleStore<float>&);
-extern template void sort_particles(const ParticleStore<double>&, const ParticleStore<double>*, const GridGeometry&,
-                                    const std::function<bool(std::int32_t, std::int32_t)>&, ParticleStore<double>&);
+extern template void sort_particles(ParticleStore<float>&, const ParticleStore<float>*, const GridGeometry&,
+                                    const std::function<bool(std::int32_t, std::int32_t)>&);
+extern template void sort_particles(ParticleStore<double>&, const ParticleStore<double>*, const GridGeometry&,
+                                    const std::function<bool(std::int32_t, std::int32_t)>&);
 
 }  // namespace bake

@@ -24,9 +24,8 @@ std::size_t count_of(const FrameData& frame) {
   return std::visit([](const auto& numbers) { return numbers.size(); }, frame.positions);
 }
 
-void check_lengths(const FrameData& frame) {
-  if (count_of(frame) % 3 != 0) throw std::invalid_argument("a frame's positions are not x, y, z triples");
-  const auto particles = count_of(frame) / 3;
+void check_lengths(const FrameData& frame, std::size_t particles) {
+  if (count_of(frame) != 0 && count_of(frame) != 3 * particles) throw std::invalid_argument("a frame's positions are not x, y, z triples");
   for (const auto& column : frame.columns) {
     if (column.components == 0 || length(column) != column.components * particles) {
       throw std::invalid_argument(fmt::format("frame column {} has {} numbers for {} particles of {} components", column.name,
@@ -63,35 +62,54 @@ ArrayView view_of_positions(const FrameData& frame) {
 }  // namespace
 
 PackedFrame FramePacker::pack(double time_s, const FrameData& frame) {
-  check_lengths(frame);
-  const std::size_t particles = count_of(frame) / 3;
-  const bool same_particles = frame.members && frame.members == members_;
-  const auto is_whole = [](const FrameColumn& column) { return std::holds_alternative<std::vector<std::int64_t>>(column.values); };
-  std::vector<ArrayView> arrays{view_of_positions(frame)};
-  for (const FrameColumn& column : frame.columns)
-    if (!is_whole(column)) arrays.push_back(view(column));
-  const std::size_t changing = arrays.size();
-  std::vector<std::int64_t> counting;
-  std::vector<std::uint8_t> types;
-  if (!same_particles) {
-    counting.resize(particles + 1);
+  PackedFrame packed = begin(time_s, count_of(frame) / 3, frame.members);
+  add(frame, packed);
+  return packed;
+}
+
+PackedFrame FramePacker::pack(double time_s, std::size_t particles, const std::optional<std::pair<std::size_t, std::size_t>>& members,
+                              std::size_t parts, const std::function<FrameData(std::size_t part)>& part_of) {
+  PackedFrame packed = begin(time_s, particles, members);
+  for (std::size_t part = 0; part < parts; ++part) add(part_of(part), packed);
+  return packed;
+}
+
+PackedFrame FramePacker::begin(double time_s, std::size_t particles, const std::optional<std::pair<std::size_t, std::size_t>>& members) {
+  same_particles_ = members && members == members_;
+  members_ = members;
+  if (!same_particles_) {
+    kept_.clear();
+    std::vector<std::int64_t> counting(particles + 1);
     std::iota(counting.begin(), counting.end(), std::int64_t{0});
-    types.assign(particles, k_vertex);
-    arrays.push_back(array_view<std::int64_t>(std::span(counting).first(particles)));
-    arrays.push_back(array_view<std::int64_t>(counting));
-    arrays.push_back(array_view<std::uint8_t>(types));
-    for (const FrameColumn& column : frame.columns)
-      if (is_whole(column)) arrays.push_back(view(column));
+    const std::vector<std::uint8_t> types(particles, k_vertex);
+    for (PackedArray& array : bake::pack({array_view<std::int64_t>(std::span(counting).first(particles)),
+                                          array_view<std::int64_t>(counting), array_view<std::uint8_t>(types)}))
+      kept_.push_back(std::make_shared<const PackedArray>(std::move(array)));
   }
+  next_kept_ = 3;
+  return {time_s, particles, nullptr, kept_[0], kept_[1], kept_[2], {}};
+}
+
+void FramePacker::add(const FrameData& part, PackedFrame& frame) {
+  check_lengths(part, frame.particles);
+  const auto is_kept = [&](const FrameColumn& column) {
+    return same_particles_ && std::holds_alternative<std::vector<std::int64_t>>(column.values);
+  };
+  std::vector<ArrayView> arrays;
+  const bool has_positions = !frame.positions && (count_of(part) > 0 || frame.particles == 0);
+  if (has_positions) arrays.push_back(view_of_positions(part));
+  for (const FrameColumn& column : part.columns)
+    if (!is_kept(column)) arrays.push_back(view(column));
   std::vector<PackedFrame::Array> packed;
   for (PackedArray& array : bake::pack(arrays)) packed.push_back(std::make_shared<const PackedArray>(std::move(array)));
-  if (!same_particles) kept_.assign(packed.begin() + static_cast<std::ptrdiff_t>(changing), packed.end());
-  members_ = frame.members;
-  PackedFrame all{time_s, particles, packed[0], kept_[0], kept_[1], kept_[2], {}};
-  std::size_t next = 1, next_kept = 3;
-  for (const FrameColumn& column : frame.columns)
-    all.columns.push_back({column.name, column.unit, is_whole(column) ? kept_.at(next_kept++) : packed[next++]});
-  return all;
+  auto next = packed.begin();
+  if (has_positions) frame.positions = *next++;
+  for (const FrameColumn& column : part.columns) {
+    const bool is_whole = std::holds_alternative<std::vector<std::int64_t>>(column.values);
+    if (is_whole && !same_particles_) kept_.push_back(*next);
+    frame.columns.push_back({column.name, column.unit, is_kept(column) ? kept_.at(next_kept_) : *next++});
+    next_kept_ += is_whole;
+  }
 }
 
 std::string frame_name(int frame) { return fmt::format("{:04}.hdf", frame); }

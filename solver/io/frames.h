@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -60,8 +61,17 @@ class FramePacker {
  public:
   /// Throws std::invalid_argument if a column's length is not components x particles.
   PackedFrame pack(double time_s, const FrameData& frame);
+  /// The same from parts: their columns one after the other, positions in one of them, `members` as in each. A part is made when it is
+  /// packed, and then let go: a frame of many particles is never there as a whole.
+  PackedFrame pack(double time_s, std::size_t particles, const std::optional<std::pair<std::size_t, std::size_t>>& members,
+                   std::size_t parts, const std::function<FrameData(std::size_t part)>& part_of);
 
  private:
+  PackedFrame begin(double time_s, std::size_t particles, const std::optional<std::pair<std::size_t, std::size_t>>& members);
+  void add(const FrameData& part, PackedFrame& frame);
+
+  bool same_particles_ = false;                                 ///< as those of the frame before
+  std::size_t next_kept_ = 0;                                   ///< of the frame that is being packed
   std::optional<std::pair<std::size_t, std::size_t>> members_;  ///< of the last frame
   std::vector<PackedFrame::Array> kept_;                        ///< connectivity, offsets, types, columns of whole numbers
 };

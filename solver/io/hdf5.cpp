@@ -68,6 +68,7 @@ std::vector<std::byte> stored_and_deflated(std::span<const std::byte> bytes, std
   out.resize(head + libdeflate_deflate_compress(compressor.get(), rest.data(), rest.size(), out.data() + head, most));
   const std::uint32_t sum = libdeflate_adler32(1, bytes.data(), bytes.size());
   put(sum >> 24), put(sum >> 16), put(sum >> 8), put(sum);
+  out.shrink_to_fit();  // a frame is many of them
   return out;
 }
 

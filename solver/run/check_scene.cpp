@@ -22,10 +22,10 @@ namespace {
 
 constexpr double k_usual_speed = 1e7;  ///< particle-steps a second of an ordinary machine, for the estimate of time
 
-/// At least: a particle in the list of new ones, its columns twice, as whenever they are sorted, and its motion at the start.
+/// At least: where a particle of a body begins, and its columns.
 template <class Real>
 double bytes_per_particle(const Scene& scene) {
-  return sizeof(NewParticle) + sizeof(Real) * (2 * make_physics<Real>(scene)->column_count + 12);
+  return static_cast<double>(sizeof(Point) + sizeof(Real) * static_cast<std::size_t>(make_physics<Real>(scene)->column_count));
 }
 
 /// What the machine has, or what the process may have of it (`ulimit -v`) [bytes].

@@ -99,16 +99,25 @@ ParticlesFile read_file(const Scene& scene, std::size_t number) {
   return file;
 }
 
-void spin_about_centre(std::vector<NewParticle>& particles, std::size_t first, const Vector3& angular_velocity) {
+/// What a body is filled with.
+ParticlesFile filling_of(const Scene& scene, std::size_t number) {
+  const Body& body = scene.bodies[number];
+  if (!body.shape) return read_file(scene, number);
+  ParticlesFile filling;
+  filling.positions = fill(scene, to_fill(scene, body, number));
+  filling.volumes = {body.shape->volume() / static_cast<double>(filling.positions.size())};
+  return filling;
+}
+
+Point centre_of(const ParticlesFile& filling) {
+  const bool alike = filling.volumes.size() == 1;
   double volume = 0;
   Vector3 centre{0, 0, 0};
-  for (std::size_t i = first; i < particles.size(); ++i) {
-    volume += particles[i].volume;
-    centre = centre + particles[i].volume * particles[i].x;
+  for (std::size_t i = 0; i < filling.positions.size(); ++i) {
+    volume += filling.volumes[alike ? 0 : i];
+    centre = centre + filling.volumes[alike ? 0 : i] * filling.positions[i];
   }
-  if (volume > 0) centre = (1 / volume) * centre;
-  for (std::size_t i = first; i < particles.size(); ++i)
-    particles[i].velocity = particles[i].velocity + cross(angular_velocity, particles[i].x - centre);
+  return volume > 0 ? (1 / volume) * centre : centre;
 }
 
 /// How far the shape reaches along `direction`, by rays from points inside it: exact where a ray meets the end face, as in a spout.
@@ -124,26 +133,35 @@ double farthest(const Shape& shape, const std::vector<Point>& inside, const Vect
 
 }  // namespace
 
-std::vector<NewParticle> fill_bodies(const Scene& scene) {
-  std::vector<NewParticle> particles;
+void fill_bodies(const Scene& scene, std::size_t most,
+                 const std::function<void(std::vector<NewParticle> portion, std::size_t left)>& visit) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
-    const std::size_t first = particles.size();
     const std::int32_t material = material_number(scene, body.material);
-    const auto add = [&](const Point& x, double volume, std::int32_t m) {
-      particles.push_back({x, volume, m, body.velocity_m_per_s, body.angular_velocity_rad_per_s, &body});
-    };
-    if (!body.shape) {
-      const ParticlesFile file = read_file(scene, b);
-      for (std::size_t i = 0; i < file.positions.size(); ++i)
-        add(file.positions[i], file.volumes[i], file.materials.empty() ? material : file.materials[i]);
-    } else {
-      const std::vector<Point> points = fill(scene, to_fill(scene, body, b));
-      const double volume = body.shape->volume() / static_cast<double>(points.size());
-      for (const Point& x : points) add(x, volume, material);
+    const ParticlesFile filling = filling_of(scene, b);
+    const Point centre = centre_of(filling);
+    const std::size_t count = filling.positions.size();
+    const bool alike = filling.volumes.size() == 1;
+    for (std::size_t first = 0, end; first < count; first = end) {
+      end = first + std::min(count - first, most);
+      std::vector<NewParticle> portion;
+      portion.reserve(end - first);
+      for (std::size_t i = first; i < end; ++i) {
+        const Point& x = filling.positions[i];
+        const Vector3 spin = cross(body.angular_velocity_rad_per_s, x - centre);
+        portion.push_back({x, filling.volumes[alike ? 0 : i], filling.materials.empty() ? material : filling.materials[i],
+                           body.velocity_m_per_s + spin, body.angular_velocity_rad_per_s, &body});
+      }
+      visit(std::move(portion), count - end);
     }
-    spin_about_centre(particles, first, body.angular_velocity_rad_per_s);
   }
+}
+
+std::vector<NewParticle> fill_bodies(const Scene& scene) {
+  std::vector<NewParticle> particles;
+  fill_bodies(scene, std::numeric_limits<std::size_t>::max(), [&](const std::vector<NewParticle>& portion, std::size_t) {
+    particles.insert(particles.end(), portion.begin(), portion.end());
+  });
   return particles;
 }
 

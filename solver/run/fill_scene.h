@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ std::vector<ShapeToFill> shapes_to_fill(const Scene& scene);
 /// Particles of all bodies at the start. `scene` must outlive them. Throws InputError if a body has no particle, has one outside the
 /// domain, or its file cannot be read.
 std::vector<NewParticle> fill_bodies(const Scene& scene);
+/// The same in portions of at most `most` particles of one body; calls visit(portion, how many of the body are still to come).
+void fill_bodies(const Scene& scene, std::size_t most,
+                 const std::function<void(std::vector<NewParticle> portion, std::size_t left)>& visit);
 
 /// Throws what fill_bodies or EmitterState would throw, but takes less time and memory: it looks for one particle of each shape, and at
 /// those near the domain's faces.

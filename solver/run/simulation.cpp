@@ -31,7 +31,8 @@ namespace {
 template <class Real>
 class SimulationOf final : public Simulation {
   static constexpr int W = k_width<Real>;
-  static constexpr double k_rounding = 1e-12;  ///< of times that are computed in two ways
+  static constexpr double k_rounding = 1e-12;                           ///< of times that are computed in two ways
+  static constexpr std::size_t k_added_at_once = std::size_t{1} << 18;  ///< particles: what is needed to add them, needs memory, too
 
  public:
   explicit SimulationOf(const Scene& scene) : scene_(scene), engine_(scene_) {
@@ -40,9 +41,14 @@ class SimulationOf final : public Simulation {
   }
 
   void begin(std::optional<double> first_target) {
-    const std::vector<NewParticle> particles = fill_bodies(scene_);
-    engine_.add(particles);
-    if (!scene_.skins.empty()) {
+    if (scene_.skins.empty()) {
+      fill_bodies(scene_, k_added_at_once, [&](const std::vector<NewParticle>& portion, std::size_t left) {
+        engine_.reserve(portion.size() + left);
+        engine_.add(portion);
+      });
+    } else {
+      const std::vector<NewParticle> particles = fill_bodies(scene_);
+      engine_.add(particles);
       const std::vector<MadeSkin> skins = make_skins(scene_);
       std::vector<SurfaceMesh> meshes;
       std::vector<double> covers;
@@ -148,65 +154,19 @@ class SimulationOf final : public Simulation {
     return s;
   }
 
-  FrameData frame() const override {
-    const std::vector<std::size_t> rows = rows_by_identity();
-    const std::size_t n = particles();
-    const auto& shown = engine_.physics().frame_columns;
-    const bool has_velocity = engine_.sampled().size() > 0;
-    FrameData frame;
-    const bool wide = stores_double_positions(std::is_same_v<Real, double>, farthest_coordinate(), scene_.dx());
-    std::vector<float> narrow_positions(wide ? 0 : 3 * n);
-    std::vector<double> wide_positions(wide ? 3 * n : 0);
-    std::vector<std::int64_t> id(n), material(n);
-    std::vector<float> v(has_velocity ? 3 * n : 0);
-    const bool has_stress = engine_.physics().samples_stress && (has_velocity || n == 0);
-    std::vector<float> tensors(has_stress ? 6 * n : 0), equivalent(has_stress ? n : 0);
-    std::vector<std::vector<float>> scalars(shown.size(), std::vector<float>(n));
-    const auto& store = engine_.store();
-    for_each_parallel(store.blocks.size(), 4, [&](std::size_t b) {
-      for_each_tile(b, [&](std::size_t t) {
-        for_each_particle_of(b, t, [&](const ParticleSlot& p) {
-          const auto identity = static_cast<std::size_t>(identity_of<Real>(p.columns, p.lane));
-          const std::size_t row = rows[identity];
-          id[row] = static_cast<std::int64_t>(identity);
-          material[row] = store.tiles[t].material;
-          const Point x = position(p);
-          for (std::size_t d = 0; d < 3; ++d)
-            if (wide)
-              wide_positions[3 * row + d] = x[d];
-            else
-              narrow_positions[3 * row + d] = static_cast<float>(x[d]);
-          if (!has_velocity) return;
-          const Vector3 v_p = velocity(p);
-          for (std::size_t d = 0; d < 3; ++d) v[3 * row + d] = static_cast<float>(v_p[d]);
-          if (!has_stress) return;
-          const std::array<double, 6> s = stress(p);
-          for (std::size_t c = 0; c < 6; ++c) tensors[6 * row + c] = static_cast<float>(s[c]);
-          equivalent[row] = static_cast<float>(von_mises(s));
-        });
-        for (std::size_t c = 0; c < shown.size(); ++c) {
-          double values[W];
-          shown[c].values(store.tile(t), store.tiles[t].material, values);
-          for_each_particle_of(b, t, [&](const ParticleSlot& p) {
-            scalars[c][rows[static_cast<std::size_t>(identity_of<Real>(p.columns, p.lane))]] = static_cast<float>(values[p.lane]);
-          });
-        }
-      });
-    });
-    if (wide)
-      frame.positions = std::move(wide_positions);
-    else
-      frame.positions = std::move(narrow_positions);
-    frame.columns.push_back({"id", "1", std::move(id)});
-    frame.columns.push_back({"material", "1", std::move(material)});
-    if (has_velocity || (n == 0 && engine_.physics().moves)) frame.columns.push_back({"velocity", "m/s", std::move(v), 3});
-    if (has_stress) {
-      frame.columns.push_back({field::CauchyStress::name, field::CauchyStress::unit, std::move(tensors), 6});
-      frame.columns.push_back({field::VonMisesStress::name, field::VonMisesStress::unit, std::move(equivalent)});
+  FrameData frame() const override { return frame_part(rows_by_identity(), 0, 1); }
+
+  ShownFrame shown_frame(FramePacker& packer) const override {
+    constexpr std::size_t k_whole = std::size_t{1} << 19;  // particles of a frame that may be there as a whole
+    if (particles() <= k_whole || engine_.skins()) {
+      const FrameData flesh = frame();
+      return {packer.pack(time(), flesh), skin_mesh(flesh)};
     }
-    for (std::size_t c = 0; c < shown.size(); ++c) frame.columns.push_back({shown[c].name, shown[c].unit, std::move(scalars[c])});
-    frame.members = {engine_.identities_given(), n};
-    return frame;
+    const std::size_t parts = 6 + engine_.physics().frame_columns.size();
+    const std::vector<std::uint32_t> rows = rows_by_identity();
+    return {packer.pack(time(), particles(), std::pair(engine_.identities_given(), particles()), parts,
+                        [&](std::size_t part) { return frame_part(rows, part, parts); }),
+            {}};
   }
 
   const SkinSums& skin_sums() const override {
@@ -311,11 +271,82 @@ class SimulationOf final : public Simulation {
       for_each_tile(b, [&](std::size_t t) { for_each_particle_of(b, t, visit); });
   }
   /// By identity: the particle's row in a list that is ordered by identity and leaves out those that left.
-  std::vector<std::size_t> rows_by_identity() const {
-    std::vector<std::size_t> rows(engine_.identities_given(), 0);
+  std::vector<std::uint32_t> rows_by_identity() const {
+    std::vector<std::uint32_t> rows(engine_.identities_given(), 0);
     for_each_particle([&](const ParticleSlot& p) { rows[static_cast<std::size_t>(identity_of<Real>(p.columns, p.lane))] = 1; });
-    std::exclusive_scan(rows.begin(), rows.end(), rows.begin(), std::size_t{0});
+    std::exclusive_scan(rows.begin(), rows.end(), rows.begin(), std::uint32_t{0});
     return rows;
+  }
+  /// Some of the frame's columns; all parts together are the frame.
+  FrameData frame_part(const std::vector<std::uint32_t>& rows, std::size_t part, std::size_t parts) const {
+    FrameData frame;
+    frame.members = {engine_.identities_given(), particles()};
+    std::vector<std::function<void()>> makers;
+    makers.push_back([&] {
+      if (stores_double_positions(std::is_same_v<Real, double>, farthest_coordinate(), scene_.dx()))
+        frame.positions = numbers_of<double>(rows, 3, [&](const ParticleSlot& p, double* x) { std::ranges::copy(position(p), x); });
+      else
+        frame.positions = numbers_of<float>(rows, 3, [&](const ParticleSlot& p, float* x) { std::ranges::copy(position(p), x); });
+    });
+    using Whole = std::int64_t;
+    makers.push_back([&] {
+      frame.columns.push_back(
+          {"id", "1", numbers_of<Whole>(rows, 1, [&](const ParticleSlot& p, Whole* id) { *id = identity_of<Real>(p.columns, p.lane); })});
+    });
+    makers.push_back([&] {
+      frame.columns.push_back({"material", "1", numbers_of<Whole>(rows, 1, [&](const ParticleSlot& p, Whole* material) {
+                                 *material = engine_.store().tiles[p.tile].material;
+                               })});
+    });
+    const bool samples = engine_.sampled().size() > 0 || (particles() == 0 && engine_.physics().moves);
+    if (samples)
+      makers.push_back([&] {
+        frame.columns.push_back({"velocity", "m/s",
+                                 numbers_of<float>(rows, 3, [&](const ParticleSlot& p, float* v) { std::ranges::copy(velocity(p), v); }),
+                                 3});
+      });
+    if (samples && engine_.physics().samples_stress) {
+      makers.push_back([&] {
+        frame.columns.push_back({field::CauchyStress::name, field::CauchyStress::unit,
+                                 numbers_of<float>(rows, 6, [&](const ParticleSlot& p, float* s) { std::ranges::copy(stress(p), s); }), 6});
+      });
+      makers.push_back([&] {
+        frame.columns.push_back(
+            {field::VonMisesStress::name, field::VonMisesStress::unit,
+             numbers_of<float>(rows, 1, [&](const ParticleSlot& p, float* s) { *s = static_cast<float>(von_mises(stress(p))); })});
+      });
+    }
+    for (const auto& shown : engine_.physics().frame_columns)
+      makers.push_back([&] { frame.columns.push_back({shown.name, shown.unit, shown_numbers(rows, shown)}); });
+    for (std::size_t m = part * makers.size() / parts; m < (part + 1) * makers.size() / parts; ++m) makers[m]();
+    return frame;
+  }
+
+  /// `width` numbers of each particle in its row, written by write(slot, its numbers).
+  template <class T, class Write>
+  std::vector<T> numbers_of(const std::vector<std::uint32_t>& rows, std::size_t width, Write write) const {
+    std::vector<T> numbers(width * particles());
+    for_each_parallel(engine_.store().blocks.size(), 4, [&](std::size_t b) {
+      for_each_tile(b, [&](std::size_t t) {
+        for_each_particle_of(b, t, [&](const ParticleSlot& p) { write(p, &numbers[width * row_of(rows, p)]); });
+      });
+    });
+    return numbers;
+  }
+  std::vector<float> shown_numbers(const std::vector<std::uint32_t>& rows, const typename Physics<Real>::FrameColumn& shown) const {
+    std::vector<float> numbers(particles());
+    const auto& store = engine_.store();
+    for_each_parallel(store.blocks.size(), 4, [&](std::size_t b) {
+      for_each_tile(b, [&](std::size_t t) {
+        double values[W];
+        shown.values(store.tile(t), store.tiles[t].material, values);
+        for_each_particle_of(b, t, [&](const ParticleSlot& p) { numbers[row_of(rows, p)] = static_cast<float>(values[p.lane]); });
+      });
+    });
+    return numbers;
+  }
+  static std::size_t row_of(const std::vector<std::uint32_t>& rows, const ParticleSlot& p) {
+    return rows[static_cast<std::size_t>(identity_of<Real>(p.columns, p.lane))];
   }
   std::vector<ParticleSlot> slots_by_identity() const {
     std::vector<ParticleSlot> slots(engine_.identities_given(), ParticleSlot{0, 0, 0, nullptr});

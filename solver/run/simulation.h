@@ -93,10 +93,7 @@ class Simulation {
   virtual std::optional<Mesh> skin_mesh(const FrameData& flesh) const = 0;
   virtual const SkinSums& skin_sums() const = 0;  ///< at the last sample; zero without skins
   void write_frame_file(const std::filesystem::path& path) const { write_frame(path, time(), frame()); }
-  ShownFrame shown_frame(FramePacker& packer) const {
-    const FrameData flesh = frame();
-    return {packer.pack(time(), flesh), skin_mesh(flesh)};
-  }
+  virtual ShownFrame shown_frame(FramePacker& packer) const = 0;
   virtual std::size_t bytes() const = 0;
   virtual std::size_t active_nodes() const = 0;
   virtual std::string memory_words() const = 0;  ///< "19 columns, 76 bytes per particle; ..."

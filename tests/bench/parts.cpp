@@ -37,14 +37,13 @@ void order_500K(benchmark::State& state, int threads, double triad_GB_per_s) {
   engine.add(fill_bodies(scene));
   engine.start(1);
   for (int step = 0; step < 20; ++step) engine.step(1, 1);
-  ParticleStore<Real> to;
-  to.columns = engine.store().columns;
+  ParticleStore<Real> store(engine.store());
   omp_set_num_threads(threads);
-  sort_particles<Real>(engine.store(), nullptr, engine.geometry(), nullptr, to);  // takes the memory
+  sort_particles<Real>(store, nullptr, engine.geometry(), nullptr);  // takes the memory
   const Stopwatch watch;
-  for ([[maybe_unused]] auto once : state) sort_particles<Real>(engine.store(), nullptr, engine.geometry(), nullptr, to);
+  for ([[maybe_unused]] auto once : state) sort_particles<Real>(store, nullptr, engine.geometry(), nullptr);
   const double rate = count_particles(state, watch, static_cast<double>(engine.particles()));
-  const double bytes = 2. * sizeof(Real) * to.columns;  // columns are read and written
+  const double bytes = 2. * sizeof(Real) * store.columns;  // columns are read and written
   set_counter(state.counters, "bytes", bytes);
   set_counter(state.counters, "triad", 1e-3 * bytes * rate / triad_GB_per_s);
   omp_set_num_threads(all);

@@ -62,8 +62,8 @@ class Passes {
     engine_.add(fill_bodies(scene_));
     engine_.start(1);
     for (int step = 0; step < 20; ++step) engine_.step(1, 1);
-    store_.columns = engine_.store().columns;
-    sort_particles<Real>(engine_.store(), nullptr, engine_.geometry(), nullptr, store_);
+    store_ = ParticleStore<Real>(engine_.store());
+    sort_particles<Real>(store_, nullptr, engine_.geometry(), nullptr);
     kept_.resize_and_forget(store_.data.size());
     std::copy_n(store_.data.data(), store_.data.size(), kept_.data());
     for (const Tile& tile : store_.tiles) counts_.push_back(tile.count);

@@ -81,8 +81,8 @@ TYPED_TEST_SUITE(Ordering, Reals);
 
 TYPED_TEST(Ordering, LosesNobodyAndMovesNobody) {
   const auto from = this->drifted(1, 0), more = this->drifted(2, 100000);
-  ParticleStore<TypeParam> to;
-  sort_particles<TypeParam>(from, &more, this->geometry, nullptr, to);
+  ParticleStore<TypeParam> to = from;
+  sort_particles<TypeParam>(to, &more, this->geometry, nullptr);
   auto before = this->census(from);
   before.merge(this->census(more));
   const auto after = this->census(to);
@@ -101,8 +101,8 @@ TYPED_TEST(Ordering, LosesNobodyAndMovesNobody) {
 
 TYPED_TEST(Ordering, EveryParticleIsAtHomeAndTilesHoldOneMaterial) {
   const auto from = this->drifted(3, 0);
-  ParticleStore<TypeParam> to;
-  sort_particles<TypeParam>(from, nullptr, this->geometry, nullptr, to);
+  ParticleStore<TypeParam> to = from;
+  sort_particles<TypeParam>(to, nullptr, this->geometry, nullptr);
   for (const auto& [identity, seen] : this->census(to))
     for (const int c : seen.cell) EXPECT_TRUE(c >= 0 && c <= 3) << identity;
   for (std::size_t b = 1; b < to.blocks.size(); ++b)
@@ -117,9 +117,10 @@ TYPED_TEST(Ordering, EveryParticleIsAtHomeAndTilesHoldOneMaterial) {
 
 TYPED_TEST(Ordering, WithinABlockParticlesAreSortedByMaterialThenCellAndOtherwiseKeepTheirOrder) {
   const auto from = this->drifted(4, 0);
-  ParticleStore<TypeParam> once, twice;
-  sort_particles<TypeParam>(from, nullptr, this->geometry, nullptr, once);
-  sort_particles<TypeParam>(once, nullptr, this->geometry, nullptr, twice);
+  ParticleStore<TypeParam> once = from;
+  sort_particles<TypeParam>(once, nullptr, this->geometry, nullptr);
+  ParticleStore<TypeParam> twice = once;
+  sort_particles<TypeParam>(twice, nullptr, this->geometry, nullptr);
   ASSERT_EQ(once.tiles.size(), twice.tiles.size());
   for (std::size_t i = 0; i < once.data.size(); ++i)
     ASSERT_EQ(once.data.data()[i], twice.data.data()[i]) << "ordering what is ordered changed it";
@@ -140,13 +141,13 @@ TYPED_TEST(Ordering, WithinABlockParticlesAreSortedByMaterialThenCellAndOtherwis
 
 TYPED_TEST(Ordering, LeavesOutWhomItIsToldToLeaveOut) {
   const auto from = this->drifted(5, 0);
-  ParticleStore<TypeParam> to;
+  ParticleStore<TypeParam> to = from;
   std::set<int> gone;
   const auto leave_out = [&](std::int32_t tile, std::int32_t lane) { return (tile + lane) % 3 == 0; };
   for (std::size_t t = 0; t < from.tiles.size(); ++t)
     for (int l = 0; l < from.tiles[t].count; ++l)
       if (leave_out(static_cast<std::int32_t>(t), l)) gone.insert(static_cast<int>(from.tile(t)[k_identity_column][l]));
-  sort_particles<TypeParam>(from, nullptr, this->geometry, leave_out, to);
+  sort_particles<TypeParam>(to, nullptr, this->geometry, leave_out);
   const auto before = this->census(from), after = this->census(to);
   EXPECT_EQ(after.size() + gone.size(), before.size());
   for (const int identity : gone) EXPECT_FALSE(after.contains(identity));
@@ -155,24 +156,63 @@ TYPED_TEST(Ordering, LeavesOutWhomItIsToldToLeaveOut) {
 TYPED_TEST(Ordering, IsTheSameForAnyNumberOfThreads) {
   const auto from = this->drifted(6, 0);
   const int threads = omp_get_max_threads();
-  ParticleStore<TypeParam> one, other;
+  ParticleStore<TypeParam> one = from;
   omp_set_num_threads(1);
-  sort_particles<TypeParam>(from, nullptr, this->geometry, nullptr, one);
+  sort_particles<TypeParam>(one, nullptr, this->geometry, nullptr);
   for (const int n : {2, 3}) {
     omp_set_num_threads(n);
-    sort_particles<TypeParam>(from, nullptr, this->geometry, nullptr, other);
+    ParticleStore<TypeParam> other = from;
+    sort_particles<TypeParam>(other, nullptr, this->geometry, nullptr);
     ASSERT_EQ(one.data.size(), other.data.size());
     EXPECT_EQ(std::memcmp(one.data.data(), other.data.data(), one.data.size() * sizeof(TypeParam)), 0) << n << " threads";
   }
   omp_set_num_threads(threads);
 }
 
+/// So many that they are not written all at once, by particles that come from the blocks around.
+TYPED_TEST(Ordering, OfManyBlocksTakesNoSecondStore) {
+  constexpr int W = k_width<TypeParam>;
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-0.45, 5.45);
+  ParticleStore<TypeParam> store;
+  store.columns = this->k_columns;
+  for (int x = 3; x < 7; ++x)
+    for (int y = 3; y < 7; ++y)
+      for (int z = 3; z < 7; ++z) {
+        HomeBlock block{};
+        block.at = {x, y, z};
+        block.first_tile = static_cast<std::int32_t>(store.tiles.size());
+        block.tiles = 256;
+        store.blocks.push_back(block);
+        store.tiles.resize(store.tiles.size() + 256, {0, W});
+      }
+  store.data.resize_and_forget(store.tiles.size() * store.tile_size());
+  int identity = 0;
+  for (std::size_t t = 0; t < store.tiles.size(); ++t)
+    for (int l = 0; l < W; ++l) {
+      for (int d = 0; d < 3; ++d) store.tile(t)[d][l] = static_cast<TypeParam>(uniform(random));
+      store.tile(t)[k_identity_column][l] = static_cast<TypeParam>(++identity);
+      store.tile(t)[4][l] = static_cast<TypeParam>(1000 + identity);
+    }
+  auto before = this->census(store);
+  sort_particles<TypeParam>(store, nullptr, this->geometry, nullptr);
+  const TypeParam* buffer = store.data.data();
+  sort_particles<TypeParam>(store, nullptr, this->geometry, nullptr);
+  EXPECT_EQ(store.data.data(), buffer) << "the second time there is room";
+  const auto after = this->census(store);
+  ASSERT_EQ(after.size(), before.size());
+  for (const auto& [number, seen] : after) {
+    EXPECT_EQ(seen.keepsake, 1000 + number);
+    for (std::size_t d = 0; d < 3; ++d) EXPECT_NEAR(seen.x[d], before.at(number).x[d], 16 * std::numeric_limits<TypeParam>::epsilon());
+  }
+}
+
 TYPED_TEST(Ordering, NobodyIsAnOrderingToo) {
-  ParticleStore<TypeParam> none, to;
+  ParticleStore<TypeParam> none;
   none.columns = 5;
-  sort_particles<TypeParam>(none, nullptr, this->geometry, nullptr, to);
-  EXPECT_EQ(to.particles(), 0u);
-  EXPECT_TRUE(to.blocks.empty());
+  sort_particles<TypeParam>(none, nullptr, this->geometry, nullptr);
+  EXPECT_EQ(none.particles(), 0u);
+  EXPECT_TRUE(none.blocks.empty());
 }
 
 TEST(Grid, KnowsWhichBlocksAHomeTouched) {
