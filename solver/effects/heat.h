@@ -274,9 +274,11 @@ struct Heat : Effect {
   /// Backward Euler is stable with any step; its factor is a bound on the error.
   static void largest_step(const auto& most, const StepScale& at, const auto& scene, StepLimit& limit) {
     const auto& settings = scene.template of<Heat>();
-    const double factor = settings.integrator == Integrator::backward_euler ? settings.implicit_step_factor : 1;
     const double D = most(bound::heat_diffusivity);
-    if (D > 0) limit.at_most(factor * at.safety * at.diffusion * at.dx * at.dx / D, "heat conduction");
+    if (settings.integrator == Integrator::forward_euler)
+      limit_diffusion(D, at, limit, "heat conduction");
+    else if (D > 0)
+      limit.at_most(settings.implicit_step_factor * at.safety * at.diffusion * at.dx * at.dx / D, "heat conduction");
   }
 
   BAKE_INLINE static auto conductance(auto& p, const auto& k) { return k.kappa * p.volume(); }

@@ -195,9 +195,8 @@ struct Motion : Effect {
     const double own2 = most(bound::own_frequency_squared), inner2 = most(bound::inner_frequency_squared);
     const auto& motion = scene.template of<Motion>();
     const double acceleration = largest_length(motion.gravity_m_per_s2) / motion.inertia_scale;
-    const double share = std::max(0.9, at.safety);  // of a limit that is exact
     if (std::isinf(own2)) limit.at_most(0, "a particle's volume fell to zero");
-    if (own2 > 0) limit.at_most(share * 2 / std::sqrt(std::max(at.alone * own2, inner2)), "vibration of single particles");
+    if (own2 > 0) limit.at_most(share_of_exact(at) * 2 / std::sqrt(std::max(at.alone * own2, inner2)), "vibration of single particles");
     if (c2 > 0) limit.at_most(at.safety * at.dx / std::sqrt(c2), "stiffness (elastic, pore gas and water)");
     if (C2 > 0) limit.at_most(0.5 / std::sqrt(C2), "rate of deformation");
     if (v2 > 0) limit.at_most(at.cfl * at.dx / std::sqrt(v2), "particle travel (time.cfl)");

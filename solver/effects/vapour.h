@@ -104,7 +104,7 @@ struct Vapour : Effect {
   static void largest_step(const auto& most, const StepScale& at, const auto&, StepLimit& limit) {
     const double vapour = most(bound::vapour_diffusivity);
     const double D = vapour + most(bound::heat_diffusivity) + most(bound::water_diffusivity);
-    if (vapour > 0) limit.at_most(at.safety * at.diffusion * at.dx * at.dx / D, "vapour diffusion");
+    if (vapour > 0) limit_diffusion(D, at, limit, "vapour diffusion");
   }
 };
 

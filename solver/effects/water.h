@@ -204,8 +204,7 @@ struct Water : Effect {
 
   /// As forward Euler's of heat.
   static void largest_step(const auto& most, const StepScale& at, const auto&, StepLimit& limit) {
-    const double D = most(bound::water_diffusivity);
-    if (D > 0) limit.at_most(at.safety * at.diffusion * at.dx * at.dx / D, "water diffusion");
+    limit_diffusion(most(bound::water_diffusivity), at, limit, "water diffusion");
   }
 
   /// How deep a layer resists while drying has not gone as deep as the nodes are. In tau, the integral of K theta dt, and with h = beta_w /

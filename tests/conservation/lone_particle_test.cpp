@@ -40,6 +40,33 @@ TEST(ACrumbOfOneParticle, OpensNoFurtherThanTheRoomOfItsNodesAndCutsNoSteps) {
   for (const double p : Sums(*s).momentum) EXPECT_NEAR(p, 0, 1e-12 * Sums(*s).mass());
 }
 
+/// Its nodes give it back the gradient that its own flux has made: with too long a step one that is larger each time.
+TEST(ACrumbOfOneParticle, IsEvenlyWarmWithTheLongestStepsOfHeatAndWater) {
+  for (const std::string kernel : {"quadratic", "cubic"})
+    for (const std::string effects : {"heat", "water", "heat, water"}) {
+      Dough dough = crumb("");
+      dough.effects = effects;
+      dough.kernel = kernel;
+      dough.motion = dough.leavening = "";
+      dough.heat = effects == "water" ? "" : "water_specific_heat_J_per_kgK = 40";
+      dough.time = "safety = 0.95";
+      dough.material = "density_kg_per_m3 = 500\nspecific_heat_J_per_kgK = 20\nconductivity_W_per_mK = 100\ninitial_porosity = 0.5\n"
+                       "initial_saturation = 0.2\ninitial_temperature_C = 50\ndiffusivity_m2_per_sK = 2e-3\nevaporation_kg_per_m2sK = 1e-4\n";
+      dough.tables = "[oven]\ntemperature_C = 90\nheat_transfer_coefficient_W_per_m2K = 10\nequilibrium_saturation = 0\n";
+      dough.frame_s = 200;
+      const auto s = dough.begin();
+      ASSERT_EQ(s->particles(), 1U);
+      ASSERT_TRUE(s->advance(200, 400));
+      EXPECT_GT(s->counters().steps, 300);
+      if (effects != "water") {
+        EXPECT_GE(-s->highest(highest::coldness), 50 - 1e-6) << kernel << " " << effects;
+        EXPECT_LE(s->highest(highest::temperature), 90) << kernel << " " << effects;
+      }
+      EXPECT_LE(Sums(*s).evaporated + Sums(*s).water, 1.0000001 * Sums(*dough.begin()).water) << kernel << " " << effects;
+      EXPECT_GE(Sums(*s).water, 0) << kernel << " " << effects;
+    }
+}
+
 TEST(ACrumbOfOneParticle, KeepsItsSpinAndItsVolume) {
   const Dough dough = crumb("angular_velocity_rad_per_s = [3, -4, 5]\nvelocity_m_per_s = [0.1, 0.2, -0.1]");
   const auto s = dough.begin();

@@ -57,6 +57,11 @@ TEST(TheTimeStep, IsNoneOnceAVolumeIsNone) {
   EXPECT_STREQ(found.reason, "a particle's volume fell to zero");
 }
 TEST(TheTimeStep, KeepsExplicitConductionStable) { EXPECT_DOUBLE_EQ(limit({.heat = 0.01}).dt, 0.5 * k_dx * k_dx / 0.03); }
+TEST(TheTimeStep, KeepsDiffusionOfAParticleAloneStableWhateverTheSafety) {
+  const std::string tables = "[motion]\ngravity_m_per_s2 = [0, 0, 0]\n[time]\nsafety = 0.8\n";
+  EXPECT_DOUBLE_EQ(limit({.heat = 0.01}, 0, tables).dt, 0.9 * k_dx * k_dx / 0.04);
+  EXPECT_DOUBLE_EQ(limit({.water = 0.02}, 0, tables).dt, 0.9 * k_dx * k_dx / 0.08);
+}
 TEST(TheTimeStep, KeepsWaterDiffusionStable) { EXPECT_DOUBLE_EQ(limit({.water = 0.02}).dt, 0.5 * k_dx * k_dx / 0.06); }
 TEST(TheTimeStep, KeepsTheDeformationOfAStepBelowAHalf) { EXPECT_DOUBLE_EQ(limit({.deformation2 = 100}).dt, 0.05); }
 TEST(TheTimeStep, LetsNoParticleTravelBeyondItsShareOfACell) { EXPECT_DOUBLE_EQ(limit({.speed2 = 9}).dt, 0.3 * k_dx / 3); }
