@@ -47,6 +47,28 @@ TEST(Frame, NeedsDoubleWhereFloatDoesNotResolveAThousandthOfANodeDistance) {
   EXPECT_LT(std::nextafter(before, 17.0f) - before, 1e-3 * 1e-3 * 2);
 }
 
+TEST(FramePacker, PacksPartsAsItPacksTheWhole) {
+  const TemporaryFolder scratch;
+  constexpr std::size_t n = 1000;
+  std::vector<std::int64_t> id(n);
+  std::vector<float> x(3 * n), theta(n), v(3 * n);
+  for (std::size_t i = 0; i < n; ++i) id[i] = static_cast<std::int64_t>(2 * i), theta[i] = static_cast<float>(i) / 7;
+  for (std::size_t i = 0; i < 3 * n; ++i) x[i] = static_cast<float>(i) / 3, v[i] = -x[i];
+  const std::pair<std::size_t, std::size_t> members{2 * n, n};
+  const FrameData parts[] = {
+      {x, {}, members}, {{}, {{"id", "1", id}}, members}, {{}, {{"theta", "C", theta}, {"velocity", "m/s", v, 3}}, members}};
+  FramePacker by_parts, whole;
+  for (const char* name : {"0", "1"}) {  // the second frame keeps identities and cells of the first
+    write_frame(scratch / (std::string("parts_") + name),
+                by_parts.pack(0.5, n, members, std::size(parts), [&](std::size_t part) { return parts[part]; }));
+    write_frame(scratch / (std::string("whole_") + name),
+                whole.pack(0.5, {x, {{"id", "1", id}, {"theta", "C", theta}, {"velocity", "m/s", v, 3}}, members}));
+    EXPECT_TRUE(contents(scratch / (std::string("parts_") + name)) == contents(scratch / (std::string("whole_") + name)));
+  }
+  EXPECT_EQ(FrameReader(scratch / "parts_1").column("velocity", 3), v);
+  EXPECT_EQ(FrameReader(scratch / "parts_1").identities(), id);
+}
+
 TEST(FramePacker, PacksIdentitiesAndCellsAnewWhenParticlesComeOrGo) {
   const TemporaryFolder scratch;
   FramePacker packer;
