@@ -113,13 +113,14 @@ Subject loaf_subject(const Combination& combination, Precision precision, int th
           [=] { return loaf(combination, precision, 1e3 * thousands); }, 40, std::clamp(10'000 / thousands, 5, 50)};
 }
 
-/// In the steps after the start particles of a cell still stand together as they were filled in. A thousand steps later they stand as in
-/// most of a bake; the steps that are timed hold every time since the last sorting.
+/// In the steps after the start particles of a cell still stand together as they were filled in. Later they stand as in most of a bake,
+/// which takes two sortings, a hundred steps apart, where it is not to take too long; the steps that are timed hold every time since the
+/// last.
 Subject mixed_loaf_subject(const Combination& combination, Precision precision, int thousands) {
   Subject subject = loaf_subject(combination, precision, thousands);
   subject.name += "_mixed";
-  subject.warm_up = 1000;
-  subject.steps = 200;
+  subject.warm_up = thousands <= 500 ? 1000 : 200;
+  subject.steps = thousands <= 500 ? 200 : 100;
   return subject;
 }
 
@@ -149,7 +150,9 @@ void register_steps(const Limits& limits) {
       for (const int thousands : {100, 200, 1000, 2000, 4000, 8000})
         add(loaf_subject(c, Precision::single_precision, thousands), limits, all);
   for (const Combination& c : k_combinations)
-    if (c.name == "all") add(mixed_loaf_subject(c, Precision::single_precision, 100), limits, one_and_all);
+    if (c.name == "all")
+      for (const int thousands : {10, 30, 100, 500, 4000})
+        add(mixed_loaf_subject(c, Precision::single_precision, thousands), limits, thousands <= 500 ? one_and_all : all);
   for (const int cells : {25, 100})
     for (const Precision precision : precisions) add(block_subject(precision, cells), limits, one_and_all);
   for (const bool in_skin : {false, true}) add(grape_subject(Precision::single_precision, in_skin), limits, one_and_all);
