@@ -52,9 +52,6 @@ struct BlockWork {
   bool open_low[3] = {}, open_high[3] = {};
 };
 
-/// Columns of blocks along z, each a range of home blocks.
-using BlockColumns = std::vector<std::pair<std::int32_t, std::int32_t>>;
-
 /// What one block's transfers report.
 template <class Real>
 struct BlockResult {

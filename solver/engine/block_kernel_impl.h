@@ -46,7 +46,7 @@ class BlockKernelOf final : public BlockKernel<Real> {
     result = {};
     prepare(scratch);
     load_tile<FromTile, RG>(work.gathered, block, scratch.gather_tile.data());
-    const HomeBlock* above = block_above(*work.store, index);
+    const HomeBlock* next = next_in_column(*work.store, index);
     Report<Real> report;
     report.totals_wanted = totals;
     std::optional<Expelling> expelling;
@@ -65,7 +65,7 @@ class BlockKernelOf final : public BlockKernel<Real> {
     for (int t = block.first_tile; t < block.first_tile + block.tiles; ++t) {
       const auto at = static_cast<std::size_t>(t);
       const int count = work.store->tiles[at].count;
-      if (above) prefetch_part(work, *above, t - block.first_tile, block.tiles);
+      if (next) prefetch_part(work, *next, t - block.first_tile, block.tiles);
       report.alive = k_lane_numbers < lanes<Real>(static_cast<Real>(count)) ? lanes<Real>(1) : V{};
       V* columns = work.store->tile(at);
       const int lines = work.store->columns;
@@ -168,23 +168,23 @@ class BlockKernelOf final : public BlockKernel<Real> {
     for (int d = 0; d < 3; ++d) x[d] = columns[k_position_column + d];
   }
 
-  /// The home block one step up the column (+z), if particles live there.
-  static const HomeBlock* block_above(const ParticleStore<Real>& store, int index) {
-    const auto next = static_cast<std::size_t>(index) + 1;
-    if (next >= store.blocks.size()) return nullptr;
-    const BlockIndex &at = store.blocks[next - 1].at, &other = store.blocks[next].at;
-    return other == BlockIndex{at.x, at.y, at.z + 1} ? &store.blocks[next] : nullptr;
+  /// The home block two steps up the column (+z), which comes next as it touches no node of this one; null if no particles live there.
+  static const HomeBlock* next_in_column(const ParticleStore<Real>& store, int index) {
+    const BlockIndex at = store.blocks[static_cast<std::size_t>(index)].at;
+    for (std::size_t next = static_cast<std::size_t>(index) + 1; next <= static_cast<std::size_t>(index) + 2 && next < store.blocks.size();
+         ++next)
+      if (store.blocks[next].at == BlockIndex{at.x, at.y, at.z + 2}) return &store.blocks[next];
+    return nullptr;
   }
 
-  /// Asks for a part of the grid rows that the block above will read and add to, while there is other work: those of the upper half of
-  /// its nodes and beyond, since this block has touched the others.
+  /// Asks for a part of the grid rows that the next block will read and add to, while there is other work.
   /// Inlined by force: GCC takes a function that only prefetches for one without effect, and drops its calls.
-  BAKE_INLINE static void prefetch_part(const BlockWork<Real>& work, const HomeBlock& above, int part, int parts) {
+  BAKE_INLINE static void prefetch_part(const BlockWork<Real>& work, const HomeBlock& next, int part, int parts) {
     for (int x = k_tile_side * part / parts; x < k_tile_side * (part + 1) / parts; ++x) {
-      if (x < above.low[0] || x > above.high[0]) continue;
-      for (int y = above.low[1]; y <= above.high[1]; ++y)
-        for (const int z : {2, 4}) {
-          const std::size_t row = grid_row(above, x - 1, y - 1, z);
+      if (x < next.low[0] || x > next.high[0]) continue;
+      for (int y = next.low[1]; y <= next.high[1]; ++y)
+        for (const int z : {0, 2, 4}) {
+          const std::size_t row = grid_row(next, x - 1, y - 1, z);
           prefetch_rows(work.scattered + row * RS, 2 * RS);
           prefetch_rows(work.gathered + row * RG, 2 * RG);
         }

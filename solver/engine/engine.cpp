@@ -118,8 +118,8 @@ void Engine<Real>::look_for_crumbs() {
   if (counters_.steps - crumbs_looked_ < k_fewest_steps_per_look) return;
   const auto longest = [&](double share) { return largest_step(scene_, *physics_, bounds_, contacts_.largest_speed(), share).dt; };
   if (!(longest(0) > longest(1))) return;
-  crumbs_share_ =
-      std::min(k_margin * spring_back(scene_.grid.kernel, store_, *physics_, geometry_.dx(), colours_, active_.at.size()) / own, 1.0);
+  crumbs_share_ = std::min(
+      k_margin * spring_back(scene_.grid.kernel, store_, *physics_, geometry_.dx(), colours_.columns(), active_.at.size()) / own, 1.0);
   crumbs_travel_ = 0;
   crumbs_looked_ = counters_.steps;
 }
@@ -176,12 +176,9 @@ void Engine<Real>::pass(double after, double next_dt, bool next_settles, bool sa
     w.given = home_given_.data();
     w.givers = given_.size();
   }
-  for (const auto& columns : colours_)
-    for_each_parallel(columns.size(), 1, [&](std::size_t c) {
-      Scratch<Real>& scratch = scratch_[static_cast<std::size_t>(omp_get_thread_num())];
-      for (std::int32_t b = columns[c].first; b < columns[c].second; ++b)
-        kernel_->advance(w, b, scratch, results_[static_cast<std::size_t>(b)], sample);
-    });
+  colours_.for_each([&](std::int32_t b) {
+    kernel_->advance(w, b, scratch_[static_cast<std::size_t>(omp_get_thread_num())], results_[static_cast<std::size_t>(b)], sample);
+  });
   const double done = dt_;
   dt_ = next_dt;
   settling_.now = next_settles;

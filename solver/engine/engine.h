@@ -6,7 +6,7 @@
 // scattered for. Velocity, stress and fluxes live in registers inside the pass and are stored nowhere. That state is what a
 // checkpoint holds, so that a run can stop at any step and go on with the same bits.
 //
-// Same bits for any number of threads: a node's sums have one order (colour, column of blocks, block, tile, lane), sums over
+// Same bits for any number of threads: a node's sums have one order (colour, block, tile, lane), sums over
 // blocks are added in block order, and threads only decide who does which column.
 #pragma once
 
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "solver/core/errors.h"
+#include "solver/engine/block_colours.h"
 #include "solver/engine/block_kernel.h"
 #include "solver/engine/contacts.h"
 #include "solver/engine/engine_types.h"
@@ -158,7 +159,7 @@ class Engine {
   AlignedBuffer<Real> scattered_;  ///< what the next grid update takes
   AlignedBuffer<Real> gathered_;   ///< what the last grid update gave
   ActiveBlocks active_;
-  std::vector<BlockColumns> colours_;  ///< blocks of columns of one colour never touch the same node
+  BlockColours colours_;
   AlignedBuffer<Real> sampled_;
   std::vector<Scratch<Real>> scratch_;
   std::vector<BlockResult<Real>> results_;  ///< of the home blocks in a pass

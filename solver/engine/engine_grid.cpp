@@ -103,7 +103,7 @@ void Engine<Real>::update_grid() {
       return taken_up(transfer, source, theta, change) + transfer * theta;
     });
     booked_[static_cast<std::size_t>(physics_->heat_entry)] +=
-        implicit_heat_.solve(work(step), colours_, heat_weight_, heat_transfer_, settling_.now ? 0 : dt_,
+        implicit_heat_.solve(work(step), colours_.columns(), heat_weight_, heat_transfer_, settling_.now ? 0 : dt_,
                              static_cast<std::size_t>(gathered_row()), gathered_.data());
     if (physics_->moves_mass)
       for (std::size_t s = 0; s < blocks; ++s)

@@ -150,17 +150,7 @@ void Engine<Real>::after_sorting() {
     particle_count_ -= skins_->vertices_left();
   }
   active_.surround(store_.blocks, geometry_);
-  const int colours = geometry_.any_periodic() ? 3 : 2;  // along x and along y
-  colours_.assign(static_cast<std::size_t>(colours * colours), {});
-  for (std::size_t i = 0; i < store_.blocks.size(); ++i) {
-    const BlockIndex& b = store_.blocks[i].at;
-    const bool same = i > 0 && store_.blocks[i - 1].at.x == b.x && store_.blocks[i - 1].at.y == b.y;
-    auto& columns = colours_[static_cast<std::size_t>(geometry_.colour(b.x, 0) * colours + geometry_.colour(b.y, 1))];
-    if (same)
-      columns.back().second = static_cast<std::int32_t>(i) + 1;
-    else
-      columns.push_back({static_cast<std::int32_t>(i), static_cast<std::int32_t>(i) + 1});
-  }
+  colours_.find(store_.blocks, geometry_);
 }
 
 /// Moves the scattered rows to the slots that their blocks have now; new blocks are empty.

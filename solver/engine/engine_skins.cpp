@@ -38,7 +38,7 @@ void Engine<Real>::pull_skins(double after, bool sample) {
   skins_->find_forces(store_, geometry_, sample);
   const BlockWork<Real> w = work(current_step());
   const Vector3 weight = (-dt_) * gravity_from(after);  // per excess mass
-  for (const auto& columns : colours_)
+  for (const auto& columns : colours_.columns())
     for_each_parallel(columns.size(), 1, [&](std::size_t c) {
       for (std::int32_t b = columns[c].first; b < columns[c].second; ++b) {
         const auto tiles = skins_->tiles_of(static_cast<std::size_t>(b));

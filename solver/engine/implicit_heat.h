@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "solver/engine/block_colours.h"
 #include "solver/engine/block_kernel.h"
 
 namespace bake {
