@@ -50,8 +50,9 @@ TEST(ACrumbOfOneParticle, IsEvenlyWarmWithTheLongestStepsOfHeatAndWater) {
       dough.motion = dough.leavening = "";
       dough.heat = effects == "water" ? "" : "water_specific_heat_J_per_kgK = 40";
       dough.time = "safety = 0.95";
-      dough.material = "density_kg_per_m3 = 500\nspecific_heat_J_per_kgK = 20\nconductivity_W_per_mK = 100\ninitial_porosity = 0.5\n"
-                       "initial_saturation = 0.2\ninitial_temperature_C = 50\ndiffusivity_m2_per_sK = 2e-3\nevaporation_kg_per_m2sK = 1e-4\n";
+      dough.material =
+          "density_kg_per_m3 = 500\nspecific_heat_J_per_kgK = 20\nconductivity_W_per_mK = 100\ninitial_porosity = 0.5\n"
+          "initial_saturation = 0.2\ninitial_temperature_C = 50\ndiffusivity_m2_per_sK = 2e-3\nevaporation_kg_per_m2sK = 1e-4\n";
       dough.tables = "[oven]\ntemperature_C = 90\nheat_transfer_coefficient_W_per_m2K = 10\nequilibrium_saturation = 0\n";
       dough.frame_s = 200;
       const auto s = dough.begin();
