@@ -2,6 +2,7 @@
 // Particles come and go: bodies and pouring, those that leave their block or the domain.
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "solver/effects/fields.h"
 #include "solver/engine/engine.h"
@@ -82,12 +83,12 @@ void Engine<Real>::add(const std::vector<NewParticle>& particles, bool poured) {
     }
   next_identity_ += static_cast<std::int64_t>(particles.size());
 
-  const auto sampled = take_sampled();
+  SampledNumbers sampled = take_sampled();
   sort_particles<Real>(store_, &fresh, geometry_, nullptr);
   const ActiveBlocks before = active_;
   after_sorting();
   remap_blocks(before);
-  put_sampled(sampled, particles);
+  put_sampled(std::move(sampled), particles);
   scatter_new(fresh, start, poured);
   surface_travel_ = crumbs_travel_ = k_infinity;
 }
@@ -163,10 +164,8 @@ void Engine<Real>::remap_blocks(const ActiveBlocks& before) {
   for (std::size_t i = 0; i < active_.at.size(); ++i) {
     const std::size_t linear = geometry_.linear(active_.at[i]);
     const std::int32_t old = before.slot_of.empty() ? -1 : before.slot_of[linear];
-    if (old >= 0)
-      std::memcpy(rows.data() + i * block_size, scattered_.data() + static_cast<std::size_t>(old) * block_size, block_size * sizeof(Real));
-    else
-      std::memset(rows.data() + i * block_size, 0, block_size * sizeof(Real));
+    if (old < 0) continue;
+    std::memcpy(rows.data() + i * block_size, scattered_.data() + static_cast<std::size_t>(old) * block_size, block_size * sizeof(Real));
   }
   scattered_.swap(rows);
   if (active_.at != before.at) surface_travel_ = k_infinity;
@@ -206,12 +205,12 @@ void Engine<Real>::migrate_particles(std::vector<Migrant<Real>>& migrants) {
   const auto leave_out = [&](std::int32_t tile, std::int32_t lane) {
     return std::binary_search(retired.begin(), retired.end(), std::pair(tile, lane));
   };
-  const auto sampled = take_sampled();
+  SampledNumbers sampled = take_sampled();
   sort_particles<Real>(store_, nullptr, geometry_, retired.empty() ? std::function<bool(std::int32_t, std::int32_t)>() : leave_out);
   const ActiveBlocks before = active_;
   after_sorting();
   remap_blocks(before);
-  put_sampled(sampled, {});
+  put_sampled(std::move(sampled), {});
   BlockWork<Real> w = work(current_step());
   for (std::size_t i = 0; i < migrants.size(); ++i)
     if (!migrants[i].retired) kernel_->scatter_rows(w, home_of(homes[i].block), homes[i].x, migrants[i].rows.data());
