@@ -22,10 +22,10 @@ namespace {
 
 constexpr double k_usual_speed = 1e7;  ///< particle-steps a second of an ordinary machine, for the estimate of time
 
-/// At least: where a particle of a body begins, and its columns.
+/// At least: where a particle of a body begins, its columns with their room for sorting, and its place in the new order.
 template <class Real>
 double bytes_per_particle(const Scene& scene) {
-  return static_cast<double>(sizeof(Point) + sizeof(Real) * static_cast<std::size_t>(make_physics<Real>(scene)->column_count));
+  return sizeof(Point) + 17. / 16 * sizeof(Real) * make_physics<Real>(scene)->column_count + 3 * sizeof(std::uint32_t);
 }
 
 /// What the machine has, or what the process may have of it (`ulimit -v`) [bytes].

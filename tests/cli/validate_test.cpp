@@ -78,7 +78,7 @@ TEST(Validate, RefusesWhatDoesNotFitIntoTheMemoryThatItMayHave) {
 
 TEST(Info, TellsOfDraftWherePaperDoesNotFitIntoMemory) {
   const Workplace place;
-  const Outcome info = place.bake("info dough --threads 1" + set("grid.dx_m=0.0012"), "ulimit -v 600000;");
+  const Outcome info = place.bake("info dough --threads 1" + set("grid.dx_m=0.0012"), "ulimit -v 300000;");
   EXPECT_EQ(info.exit_code, 0) << info.err;
   EXPECT_NE(info.out.find("\n  draft        dx 0.0048 m, "), std::string::npos) << info.out;
   EXPECT_NE(info.out.find("\n  paper        cannot be run: "), std::string::npos) << info.out;
