@@ -168,8 +168,8 @@ struct Motion : Effect {
 
   /// A particle alone on its nodes gets back the C that it gave, less dt tau / (rho d), d = 1 / inverse_d: its volume vibrates by
   /// d^2 tr(eps) / dt^2 = -3 K inverse_d / rho tr(eps), K being the bulk modulus of all that it is made of. Inside of dough others hold it:
-  /// of the quadratic kernel's discrete equations with particles at random the largest frequency was below
-  /// omega^2 = (5.9 + 3.4 V/dx^3) K / (rho dx^2), where particles of a volume V fill the room (by eigenvalues, 1 to 27 a cell).
+  /// of the quadratic kernel's discrete equations with particles at random, 1 to 27 a cell of a volume V each, the largest
+  /// eigenvalue was below omega^2 = (5.9 + 3.4 V/dx^3) K / (rho dx^2) in 99 of 100 bodies, and at most 1.16 times that.
   BAKE_INLINE static void bounds(auto& p, const auto& k, const auto& step, auto& report) {
     using P = std::decay_t<decltype(p)>;
     using Real = typename P::Real;
