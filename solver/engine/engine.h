@@ -7,7 +7,7 @@
 // checkpoint holds, so that a run can stop at any step and go on with the same bits.
 //
 // Same bits for any number of threads: a node's sums have one order (colour, block, tile, lane), sums over
-// blocks are added in block order, and threads only decide who does which column.
+// blocks are added in block order, and threads only decide who does which block.
 #pragma once
 
 #include <memory>

@@ -61,7 +61,7 @@ class FramePacker {
  public:
   /// Throws std::invalid_argument if a column's length is not components x particles.
   PackedFrame pack(double time_s, const FrameData& frame);
-  /// The same from parts: their columns one after the other, positions in one of them, `members` as in each. A part is made when it is
+  /// The same from parts: their columns one after the other, positions in one of them, whatever their `members`. A part is made when it is
   /// packed, and then let go: a frame of many particles is never there as a whole.
   PackedFrame pack(double time_s, std::size_t particles, const std::optional<std::pair<std::size_t, std::size_t>>& members,
                    std::size_t parts, const std::function<FrameData(std::size_t part)>& part_of);

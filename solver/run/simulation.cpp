@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "solver/core/parallel.h"
@@ -154,7 +155,13 @@ class SimulationOf final : public Simulation {
     return s;
   }
 
-  FrameData frame() const override { return frame_part(rows_by_identity(), 0, 1); }
+  FrameData frame() const override {
+    const std::vector<std::uint32_t> rows = rows_by_identity();
+    FrameData frame;
+    frame.members = members();
+    for (const auto& make : parts_of_frame(rows)) make(frame);
+    return frame;
+  }
 
   ShownFrame shown_frame(FramePacker& packer) const override {
     constexpr std::size_t k_whole = std::size_t{1} << 19;  // particles of a frame that may be there as a whole
@@ -162,11 +169,14 @@ class SimulationOf final : public Simulation {
       const FrameData flesh = frame();
       return {packer.pack(time(), flesh), skin_mesh(flesh)};
     }
-    const std::size_t parts = 6 + engine_.physics().frame_columns.size();
     const std::vector<std::uint32_t> rows = rows_by_identity();
-    return {packer.pack(time(), particles(), std::pair(engine_.identities_given(), particles()), parts,
-                        [&](std::size_t part) { return frame_part(rows, part, parts); }),
-            {}};
+    const auto parts = parts_of_frame(rows);
+    const auto part_of = [&](std::size_t part) {
+      FrameData frame;
+      parts[part](frame);
+      return frame;
+    };
+    return {packer.pack(time(), particles(), members(), parts.size(), part_of), {}};
   }
 
   const SkinSums& skin_sums() const override {
@@ -277,49 +287,49 @@ class SimulationOf final : public Simulation {
     std::exclusive_scan(rows.begin(), rows.end(), rows.begin(), std::uint32_t{0});
     return rows;
   }
-  /// Some of the frame's columns; all parts together are the frame.
-  FrameData frame_part(const std::vector<std::uint32_t>& rows, std::size_t part, std::size_t parts) const {
-    FrameData frame;
-    frame.members = {engine_.identities_given(), particles()};
-    std::vector<std::function<void()>> makers;
-    makers.push_back([&] {
+  std::pair<std::size_t, std::size_t> members() const { return {engine_.identities_given(), particles()}; }
+  /// Each makes the positions or a column of a frame; `rows` must outlive them.
+  std::vector<std::function<void(FrameData&)>> parts_of_frame(const std::vector<std::uint32_t>& rows) const {
+    std::vector<std::function<void(FrameData&)>> makers;
+    makers.push_back([this, &rows](FrameData& frame) {
       if (stores_double_positions(std::is_same_v<Real, double>, farthest_coordinate(), scene_.dx()))
         frame.positions = numbers_of<double>(rows, 3, [&](const ParticleSlot& p, double* x) { std::ranges::copy(position(p), x); });
       else
         frame.positions = numbers_of<float>(rows, 3, [&](const ParticleSlot& p, float* x) { std::ranges::copy(position(p), x); });
     });
     using Whole = std::int64_t;
-    makers.push_back([&] {
+    makers.push_back([this, &rows](FrameData& frame) {
       frame.columns.push_back(
           {"id", "1", numbers_of<Whole>(rows, 1, [&](const ParticleSlot& p, Whole* id) { *id = identity_of<Real>(p.columns, p.lane); })});
     });
-    makers.push_back([&] {
+    makers.push_back([this, &rows](FrameData& frame) {
       frame.columns.push_back({"material", "1", numbers_of<Whole>(rows, 1, [&](const ParticleSlot& p, Whole* material) {
                                  *material = engine_.store().tiles[p.tile].material;
                                })});
     });
     const bool samples = engine_.sampled().size() > 0 || (particles() == 0 && engine_.physics().moves);
     if (samples)
-      makers.push_back([&] {
+      makers.push_back([this, &rows](FrameData& frame) {
         frame.columns.push_back({"velocity", "m/s",
                                  numbers_of<float>(rows, 3, [&](const ParticleSlot& p, float* v) { std::ranges::copy(velocity(p), v); }),
                                  3});
       });
     if (samples && engine_.physics().samples_stress) {
-      makers.push_back([&] {
+      makers.push_back([this, &rows](FrameData& frame) {
         frame.columns.push_back({field::CauchyStress::name, field::CauchyStress::unit,
                                  numbers_of<float>(rows, 6, [&](const ParticleSlot& p, float* s) { std::ranges::copy(stress(p), s); }), 6});
       });
-      makers.push_back([&] {
+      makers.push_back([this, &rows](FrameData& frame) {
         frame.columns.push_back(
             {field::VonMisesStress::name, field::VonMisesStress::unit,
              numbers_of<float>(rows, 1, [&](const ParticleSlot& p, float* s) { *s = static_cast<float>(von_mises(stress(p))); })});
       });
     }
     for (const auto& shown : engine_.physics().frame_columns)
-      makers.push_back([&] { frame.columns.push_back({shown.name, shown.unit, shown_numbers(rows, shown)}); });
-    for (std::size_t m = part * makers.size() / parts; m < (part + 1) * makers.size() / parts; ++m) makers[m]();
-    return frame;
+      makers.push_back([this, &rows, &shown](FrameData& frame) {
+        frame.columns.push_back({shown.name, shown.unit, shown_numbers(rows, shown)});
+      });
+    return makers;
   }
 
   /// `width` numbers of each particle in its row, written by write(slot, its numbers).

@@ -22,6 +22,24 @@ class BitsOfRun : public testing::Test {
     return contents(file);
   }
   std::unique_ptr<Simulation> read_again() const { return Simulation::resume(scene, CheckpointReader(file)); }
+  /// Bits at the end of the whole run by `n` threads; calls look(simulation) there.
+  template <class Look>
+  std::string whole_run(int n, Look look) const {
+    omp_set_num_threads(n);
+    const auto s = Simulation::begin(scene);
+    advance(*s, frames);
+    look(*s);
+    return saved(*s);
+  }
+  /// The same of a run that was saved after `steps` steps, read again and gone on with.
+  std::string stopped_after(int steps) const {
+    const auto stopped = Simulation::begin(scene);
+    advance(*stopped, frames, steps);
+    saved(*stopped);
+    const auto second = read_again();
+    advance(*second, frames);
+    return saved(*second);
+  }
   double frame_time(int frame) const { return frame / scene.run.frame_rate_per_s; }
   /// Goes on to frame `last`; stops after `steps` steps if that comes earlier.
   void advance(Simulation& s, int last, int steps = 1 << 30) const {

@@ -80,24 +80,13 @@ class StepsOfDoughThatMoves : public BitsOfRun {
 };
 
 TEST_F(StepsOfDoughThatMoves, AreTheSameForAnyNumberOfThreadsAndAfterAStop) {
-  const auto whole = [&](int n) {
-    omp_set_num_threads(n);
-    const auto s = Simulation::begin(scene);
-    advance(*s, frames);
-    EXPECT_GT(s->counters().orderings, 1) << "and also when particles are sorted";
-    EXPECT_GT(s->counters().steps, 60) << "and when crumbs are looked for again";
-    return saved(*s);
+  const auto look = [](const Simulation& s) {
+    EXPECT_GT(s.counters().orderings, 1) << "and also when particles are sorted";
+    EXPECT_GT(s.counters().steps, 60) << "and when crumbs are looked for again";
   };
-  const std::string one = whole(1);
-  EXPECT_TRUE(whole(3) == one);
-  for (const int steps : {1, 7, 20, 21, 45}) {
-    const auto stopped = Simulation::begin(scene);
-    advance(*stopped, frames, steps);
-    saved(*stopped);
-    const auto second = read_again();
-    advance(*second, frames);
-    EXPECT_TRUE(saved(*second) == one) << "stopped after " << steps << " steps";
-  }
+  const std::string one = whole_run(1, look);
+  EXPECT_TRUE(whole_run(3, look) == one);
+  for (const int steps : {1, 7, 20, 21, 45}) EXPECT_TRUE(stopped_after(steps) == one) << "stopped after " << steps << " steps";
 }
 
 }  // namespace

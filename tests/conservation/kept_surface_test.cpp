@@ -34,23 +34,10 @@ class KeptSurface : public BitsOfRun {
 };
 
 TEST_F(KeptSurface, GivesTheSameBitsForAnyNumberOfThreadsAndAfterAStop) {
-  const auto whole = [&](int n) {
-    omp_set_num_threads(n);
-    const auto s = Simulation::begin(scene);
-    advance(*s, frames);
-    EXPECT_GT(s->counters().orderings, 1) << "and also when particles are sorted";
-    return saved(*s);
-  };
-  const std::string one = whole(1);
-  EXPECT_TRUE(whole(3) == one);
-  for (const int steps : {1, 2, 3, 5, 8, 13}) {
-    const auto stopped = Simulation::begin(scene);
-    advance(*stopped, frames, steps);
-    saved(*stopped);
-    const auto second = read_again();
-    advance(*second, frames);
-    EXPECT_TRUE(saved(*second) == one) << "stopped after " << steps << " steps";
-  }
+  const auto look = [](const Simulation& s) { EXPECT_GT(s.counters().orderings, 1) << "and also when particles are sorted"; };
+  const std::string one = whole_run(1, look);
+  EXPECT_TRUE(whole_run(3, look) == one);
+  for (const int steps : {1, 2, 3, 5, 8, 13}) EXPECT_TRUE(stopped_after(steps) == one) << "stopped after " << steps << " steps";
 }
 
 TEST_F(KeptSurface, PassesNearlyTheSameHeatAndWater) {
