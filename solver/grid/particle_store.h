@@ -27,8 +27,11 @@ class AlignedBuffer {
     resize_and_forget(other.size_);
     if (size_ > 0) std::memcpy(data(), other.data(), size_ * sizeof(Real));
   }
-  AlignedBuffer(AlignedBuffer&&) noexcept = default;
-  AlignedBuffer& operator=(AlignedBuffer&&) noexcept = default;
+  AlignedBuffer(AlignedBuffer&& other) noexcept { swap(other); }  // what is left there is empty
+  AlignedBuffer& operator=(AlignedBuffer other) noexcept {
+    swap(other);
+    return *this;
+  }
   void resize_and_forget(std::size_t count) {
     if (count > capacity_) data_.reset();  // before the larger one is there
     reserve(count);
