@@ -40,6 +40,7 @@ const std::vector<Knob>& all_settings() {
       {"surface", "published surface", {"surface.form=published"}},
       {"surface", "surface kept for 0.02 dx", {"surface.keep_dx=0.02"}},
       {"surface", "surface kept for 0.1 dx", {"surface.keep_dx=0.1"}},
+      {"keep", "surface measured in every step", {"surface.keep_dx=0"}},
       {"textbook", "textbook (staged, double)", {"run.precision=double"}, 0, By::textbook},
       // together
       {"particles", "1 a cell, safety 1", {"time.safety=1"}, 1},

@@ -66,7 +66,7 @@ Case cookie() {
   c.cells = {1, 2};
   c.full_cells = {3, 4};
   c.quality = {1, 2, 4};
-  c.knobs = {"step", "kernel", "p_ref", "inertia", "surface"};
+  c.knobs = {"step", "kernel", "p_ref", "inertia", "surface", "keep"};
   c.from = Effort::full;
   refer(c, {"cookie",
             "fig03_cookies/cookie",
@@ -76,7 +76,7 @@ Case cookie() {
              {"width gain", "extent_x_gain", {}, 1},
              {"mean temperature", "mean_temperature", {}, 0},
              {"gas made", "gas_made"}},
-            {"time.safety=0.5"}});
+            {"time.safety=0.5", "surface.keep_dx=0"}});
   return c;
 }
 
@@ -89,7 +89,7 @@ Case bread() {
   c.cells = {2, 3};
   c.full_cells = {4};
   c.quality = {2, 4, 8};
-  c.knobs = {"step", "kernel", "p_ref", "inertia", "surface"};
+  c.knobs = {"step", "kernel", "p_ref", "inertia", "surface", "keep"};
   c.from = Effort::full;
   refer(c, {"bread",
             "fig15_bread/bread",
@@ -99,7 +99,8 @@ Case bread() {
              {"temperature of the core", "temperature_at", {.point_m = Vector3{0, 0, 0.1}}, 1},
              // a tenth: drier than that at draft, too, where a crust of less than a cell is smeared over one
              {"thickness of the crust", "crust_thickness", {.dried_share = 0.1}},
-             {"width of the slit", "distance_gain", {.from_m = Vector3{-0.028, -0.0195, 0.28}, .to_m = Vector3{0.028, 0.0195, 0.28}}, 1}}});
+             {"width of the slit", "distance_gain", {.from_m = Vector3{-0.028, -0.0195, 0.28}, .to_m = Vector3{0.028, 0.0195, 0.28}}, 1}},
+            {"surface.keep_dx=0"}});
   return c;
 }
 

@@ -2,8 +2,11 @@
 #include "solver/boundary/fill.h"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 #include <stdexcept>
 
+#include "solver/core/parallel.h"
 #include "solver/core/vector3.h"
 
 namespace bake {
@@ -148,34 +151,58 @@ class PoissonSampler {
   std::vector<std::int32_t> active_;
 };
 
-/// Adds up the volume of a shape in cubes.
-struct VolumeSampler {
-  explicit VolumeSampler(const Shape& of) : shape(of) {}
+/// A cube, halved until its parts are inside of a shape, outside, or of the finest size.
+struct HalvedCube {
+  std::int64_t halves_inside = 0;  ///< halves of cubes of the finest size
+  std::vector<Point> cut;          ///< centres of those that the surface may cut
 
-  const Shape& shape;
-  Random random{2019};
-  double volume = 0;  ///< [m^3]
-  double cut = 0;     ///< cubes of the finest size that the surface may cut
-
-  void add(const Point& centre, double edge, int halvings) {
+  void add(const Shape& shape, const Point& centre, double edge, int halvings) {
     const double distance = shape.distance(centre), reach = 0.5 * std::sqrt(3.0) * edge;
     if (distance > reach) return;
     if (distance < -reach) {
-      volume += edge * edge * edge;
-      return;
+      halves_inside += std::int64_t{2} << (3 * halvings);
+    } else if (halvings == 0) {
+      cut.push_back(centre);
+    } else {
+      for (const double x : {-0.25, 0.25})
+        for (const double y : {-0.25, 0.25})
+          for (const double z : {-0.25, 0.25}) add(shape, centre + edge * Vector3{x, y, z}, 0.5 * edge, halvings - 1);
     }
-    if (halvings == 0) {
-      ++cut;
-      const Vector3 off = 0.5 * edge * random.in_cube();
-      for (const Point& x : {centre + off, centre - off})
-        if (shape.distance(x) <= 0) volume += 0.5 * edge * edge * edge;
-      return;
-    }
-    for (const double x : {-0.25, 0.25})
-      for (const double y : {-0.25, 0.25})
-        for (const double z : {-0.25, 0.25}) add(centre + edge * Vector3{x, y, z}, 0.5 * edge, halvings - 1);
   }
 };
+
+/// The volume of a shape in cubes, of which the finest have this edge.
+struct SampledVolume {
+  double volume;  ///< [m^3]
+  double cut;     ///< cubes of the finest size that the surface may cut
+};
+
+SampledVolume sample_volume(const Shape& shape, double finest, int halvings) {
+  const Box3 box = shape.bounds();
+  const double edge = std::ldexp(finest, halvings);
+  std::vector<Point> centres;
+  for (double x = 0.5; (x - 0.5) * edge < box.high[0] - box.low[0]; ++x)
+    for (double y = 0.5; (y - 0.5) * edge < box.high[1] - box.low[1]; ++y)
+      for (double z = 0.5; (z - 0.5) * edge < box.high[2] - box.low[2]; ++z) centres.push_back(box.low + edge * Vector3{x, y, z});
+  std::vector<HalvedCube> cubes(centres.size());
+  for_each_parallel(cubes.size(), 1, [&](std::size_t c) { cubes[c].add(shape, centres[c], edge, halvings); });
+  std::vector<std::size_t> cut_before(cubes.size());
+  std::transform_exclusive_scan(cubes.begin(), cubes.end(), cut_before.begin(), std::size_t{0}, std::plus{},
+                                [](const HalvedCube& cube) { return cube.cut.size(); });
+  for_each_parallel(cubes.size(), 1, [&](std::size_t c) {
+    Random random(2019, 3 * cut_before[c]);
+    for (const Point& centre : cubes[c].cut) {
+      const Vector3 off = 0.5 * finest * random.in_cube();
+      for (const Point& x : {centre + off, centre - off}) cubes[c].halves_inside += shape.distance(x) <= 0;
+    }
+  });
+  double halves = 0, cut = 0;
+  for (const HalvedCube& cube : cubes) {
+    halves += static_cast<double>(cube.halves_inside);
+    cut += static_cast<double>(cube.cut.size());
+  }
+  return {0.5 * halves * finest * finest * finest, cut};
+}
 
 }  // namespace
 
@@ -228,17 +255,12 @@ double sampled_volume(const Shape& shape, double at_least_m3) {
   if (!(*std::min_element(extent.begin(), extent.end()) > 0)) return 0;
   double finest = longest / 64;
   for (int round = 1;; ++round) {
-    VolumeSampler sampler(shape);
-    const int halvings = std::max(0, std::ilogb(longest / 16 / finest));
-    const double edge = std::ldexp(finest, halvings);
-    for (double x = 0.5; (x - 0.5) * edge < extent[0]; ++x)
-      for (double y = 0.5; (y - 0.5) * edge < extent[1]; ++y)
-        for (double z = 0.5; (z - 0.5) * edge < extent[2]; ++z) sampler.add(box.low + edge * Vector3{x, y, z}, edge, halvings);
-    const double error = 0.25 * std::sqrt(sampler.cut) * finest * finest * finest;
-    const double wanted = k_error * std::max(sampler.volume, at_least_m3);
-    if (error <= wanted || sampler.cut > k_most_cut || round == k_most_rounds) return sampler.volume;
+    const SampledVolume sampled = sample_volume(shape, finest, std::max(0, std::ilogb(longest / 16 / finest)));
+    const double error = 0.25 * std::sqrt(sampled.cut) * finest * finest * finest;
+    const double wanted = k_error * std::max(sampled.volume, at_least_m3);
+    if (error <= wanted || sampled.cut > k_most_cut || round == k_most_rounds) return sampled.volume;
     // the error goes with finest^2, the number of cut cubes with 1 / finest^2
-    finest *= std::max({0.25, std::sqrt(0.5 * sampler.cut / k_most_cut), 0.95 * std::sqrt(wanted / error)});
+    finest *= std::max({0.25, std::sqrt(0.5 * sampled.cut / k_most_cut), 0.95 * std::sqrt(wanted / error)});
   }
 }
 

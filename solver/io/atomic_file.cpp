@@ -25,17 +25,6 @@ auto uninterrupted(Call call) {
   return result;
 }
 
-/// Makes a rename in `folder` survive a power cut. Some network file systems cannot flush a folder and say EINVAL.
-bool flush_folder(const std::filesystem::path& folder) {
-  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return false;
-  const bool flushed = uninterrupted([&] { return ::fsync(descriptor); }) == 0 || errno == EINVAL;
-  const int reason = errno;
-  ::close(descriptor);
-  errno = reason;
-  return flushed;
-}
-
 }  // namespace
 
 AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)), aside_(target_.string() + ".part") {
@@ -87,14 +76,27 @@ void AtomicFile::check() const {
   if (first_error_ != 0) throw UnfinishedOutputError(failure(target_, "cannot write", first_error_));
 }
 
-void AtomicFile::commit() {
+void AtomicFile::put_in_place() {
   check();
   if (uninterrupted([&] { return ::fsync(descriptor_); }) != 0)
     throw UnfinishedOutputError(failure(target_, "cannot flush to disk", errno));
   if (::rename(aside_.c_str(), target_.c_str()) != 0) throw OutputError(failure(target_, "cannot put the new file in place", errno));
   ::close(descriptor_);
   descriptor_ = -1;
-  if (!flush_folder(target_.parent_path())) throw UnfinishedOutputError(failure(target_, "written, but cannot flush its folder", errno));
+}
+
+void AtomicFile::commit() {
+  put_in_place();
+  flush_folder(target_.parent_path());
+}
+
+void flush_folder(const std::filesystem::path& folder) {
+  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  bool flushed = false;
+  if (descriptor >= 0) flushed = uninterrupted([&] { return ::fsync(descriptor); }) == 0 || errno == EINVAL;  // of network file systems
+  const int reason = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (!flushed) throw UnfinishedOutputError(failure(folder, "what was written there cannot be flushed to disk", reason));
 }
 
 void write_text_atomically(const std::filesystem::path& path, std::string_view text) {

@@ -32,6 +32,8 @@ class AtomicFile {
   /// Flushes the file, renames it to `target` and flushes the folder. Throws OutputError, `target` is then as it was
   /// (only if the very last step fails, the new file is there but may not survive a power cut).
   void commit();
+  /// The same for one of many files, whose folder is flushed once for all of them.
+  void put_in_place();
 
  private:
   void note_failure() noexcept;
@@ -41,6 +43,9 @@ class AtomicFile {
   int descriptor_ = -1;
   int first_error_ = 0;  ///< errno of the first failure
 };
+
+/// Makes files that were put in place there survive a power cut. Throws OutputError.
+void flush_folder(const std::filesystem::path& folder);
 
 /// Writes `text` to `path`, completely or not at all. Throws OutputError.
 void write_text_atomically(const std::filesystem::path& path, std::string_view text);

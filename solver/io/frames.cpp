@@ -34,19 +34,7 @@ void check_lengths(const FrameData& frame, std::size_t particles) {
   }
 }
 
-/// Writes the cells as VTK requires them: a vertex for each particle, so that ParaView's Threshold, which asks cells, finds particles.
-void write_cells(Hdf5Writer& out, const PackedFrame& frame) {
-  const auto count = static_cast<std::int64_t>(frame.particles);
-  const auto write = [&](const char* name, std::span<const std::int64_t> values) {
-    out.array<std::int64_t>(std::string("VTKHDF/") + name, values, Packing::shuffle_gzip);
-  };
-  write("NumberOfPoints", std::array{count});
-  write("NumberOfCells", std::array{count});
-  write("NumberOfConnectivityIds", std::array{count});
-  out.packed("VTKHDF/Connectivity", *frame.connectivity);
-  out.packed("VTKHDF/Offsets", *frame.offsets);
-  out.packed("VTKHDF/Types", *frame.types);
-}
+bool is_whole(const FrameColumn& column) { return std::holds_alternative<std::vector<std::int64_t>>(column.values); }
 
 ArrayView view(const FrameColumn& column) {
   const auto of = [&]<class T>(const std::vector<T>& values) {
@@ -61,72 +49,102 @@ ArrayView view_of_positions(const FrameData& frame) {
 
 }  // namespace
 
-PackedFrame FramePacker::pack(double time_s, const FrameData& frame) {
-  PackedFrame packed = begin(time_s, count_of(frame) / 3, frame.members);
-  add(frame, packed);
-  return packed;
+struct FrameWriter::Unfinished {
+  std::filesystem::path path;
+  double time_s;
+  std::size_t particles;
+  Members members;
+  std::shared_ptr<AtomicFile> file;
+  std::optional<Hdf5Writer> out;
+  bool has_positions = false;
+};
+
+std::shared_ptr<AtomicFile> FrameWriter::write(const std::filesystem::path& path, double time_s, const FrameData& frame) {
+  Unfinished unfinished = begin(path, time_s, count_of(frame) / 3, frame.members);
+  add(frame, unfinished);
+  return end(unfinished);
 }
 
-PackedFrame FramePacker::pack(double time_s, std::size_t particles, const std::optional<std::pair<std::size_t, std::size_t>>& members,
-                              std::size_t parts, const std::function<FrameData(std::size_t part)>& part_of) {
-  PackedFrame packed = begin(time_s, particles, members);
-  for (std::size_t part = 0; part < parts; ++part) add(part_of(part), packed);
-  return packed;
+std::shared_ptr<AtomicFile> FrameWriter::write(const std::filesystem::path& path, double time_s, std::size_t particles,
+                                               const Members& members, std::size_t parts,
+                                               const std::function<FrameData(std::size_t part)>& part_of) {
+  Unfinished unfinished = begin(path, time_s, particles, members);
+  for (std::size_t part = 0; part < parts; ++part) add(part_of(part), unfinished);
+  return end(unfinished);
 }
 
-PackedFrame FramePacker::begin(double time_s, std::size_t particles, const std::optional<std::pair<std::size_t, std::size_t>>& members) {
+FrameWriter::Unfinished FrameWriter::begin(const std::filesystem::path& path, double time_s, std::size_t particles,
+                                           const Members& members) {
   same_particles_ = members && members == members_;
-  members_ = members;
+  members_.reset();  // until this one is whole
+  next_kept_ = 0;
   if (!same_particles_) {
     kept_.clear();
     std::vector<std::int64_t> counting(particles + 1);
     std::iota(counting.begin(), counting.end(), std::int64_t{0});
     const std::vector<std::uint8_t> types(particles, k_vertex);
-    for (PackedArray& array : bake::pack({array_view<std::int64_t>(std::span(counting).first(particles)),
-                                          array_view<std::int64_t>(counting), array_view<std::uint8_t>(types)}))
-      kept_.push_back(std::make_shared<const PackedArray>(std::move(array)));
+    keep({array_view<std::int64_t>(std::span(counting).first(particles)), array_view<std::int64_t>(counting),
+          array_view<std::uint8_t>(types)});
   }
-  next_kept_ = 3;
-  return {time_s, particles, nullptr, kept_[0], kept_[1], kept_[2], {}};
+  return {path, time_s, particles, members, nullptr, {}};
 }
 
-void FramePacker::add(const FrameData& part, PackedFrame& frame) {
+void FrameWriter::keep(const std::vector<ArrayView>& arrays) {
+  for (PackedArray& array : bake::pack(arrays)) kept_.push_back(std::move(array));
+}
+
+void FrameWriter::add(const FrameData& part, Unfinished& frame) {
   check_lengths(part, frame.particles);
-  const auto is_kept = [&](const FrameColumn& column) {
-    return same_particles_ && std::holds_alternative<std::vector<std::int64_t>>(column.values);
-  };
-  std::vector<ArrayView> arrays;
-  const bool has_positions = !frame.positions && (count_of(part) > 0 || frame.particles == 0);
-  if (has_positions) arrays.push_back(view_of_positions(part));
-  for (const FrameColumn& column : part.columns)
-    if (!is_kept(column)) arrays.push_back(view(column));
-  std::vector<PackedFrame::Array> packed;
-  for (PackedArray& array : bake::pack(arrays)) packed.push_back(std::make_shared<const PackedArray>(std::move(array)));
-  auto next = packed.begin();
-  if (has_positions) frame.positions = *next++;
-  for (const FrameColumn& column : part.columns) {
-    const bool is_whole = std::holds_alternative<std::vector<std::int64_t>>(column.values);
-    if (is_whole && !same_particles_) kept_.push_back(*next);
-    frame.columns.push_back({column.name, column.unit, is_kept(column) ? kept_.at(next_kept_) : *next++});
-    next_kept_ += is_whole;
+  std::vector<ArrayView> arrays, whole;
+  std::vector<const FrameColumn*> columns;  // of the arrays; none is that of the positions
+  if (!frame.has_positions && (count_of(part) > 0 || frame.particles == 0)) {
+    frame.has_positions = true;
+    arrays.push_back(view_of_positions(part));
+    columns.push_back(nullptr);
   }
+  for (const FrameColumn& column : part.columns) {
+    (is_whole(column) ? whole : arrays).push_back(view(column));
+    if (!is_whole(column)) columns.push_back(&column);
+  }
+  if (!same_particles_) keep(whole);
+  const auto write_whole_numbers = [&] {
+    for (const FrameColumn& column : part.columns)
+      if (is_whole(column)) write_vtk_field(*frame.out, column.name, column.unit, kept_.at(next_kept_++));
+  };
+  bake::pack(arrays, [&](std::size_t a, const PackedArray& packed) {
+    if (!frame.out) write_head(frame);
+    if (columns[a])
+      write_vtk_field(*frame.out, columns[a]->name, columns[a]->unit, packed);
+    else
+      write_vtk_points(*frame.out, packed);
+    if (a == 0) write_whole_numbers();
+  });
+  if (!arrays.empty()) return;
+  if (!frame.out) write_head(frame);
+  write_whole_numbers();
+}
+
+/// Creates the file, with what VTK asks of every frame: a vertex for each particle, so that ParaView's Threshold, which asks cells, finds
+/// particles.
+void FrameWriter::write_head(Unfinished& frame) {
+  frame.file = std::make_shared<AtomicFile>(frame.path);
+  Hdf5Writer& out = frame.out.emplace(*frame.file);
+  write_vtk_head(out, frame.time_s);
+  for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"})
+    out.array<std::int64_t>(std::string("VTKHDF/") + name, std::array{static_cast<std::int64_t>(frame.particles)}, Packing::shuffle_gzip);
+  for (const char* name : {"Connectivity", "Offsets", "Types"}) out.packed(std::string("VTKHDF/") + name, kept_.at(next_kept_++));
+}
+
+std::shared_ptr<AtomicFile> FrameWriter::end(Unfinished& frame) {
+  frame.out->close();
+  members_ = frame.members;
+  return frame.file;
 }
 
 std::string frame_name(int frame) { return fmt::format("{:04}.hdf", frame); }
 
-void write_frame(const std::filesystem::path& path, const PackedFrame& frame) {
-  AtomicFile file(path);
-  Hdf5Writer out(file);
-  write_vtk_head(out, frame.time_s);
-  write_vtk_points(out, *frame.positions);
-  write_cells(out, frame);
-  for (const PackedFrame::Column& column : frame.columns) write_vtk_field(out, column.name, column.unit, *column.values);
-  out.close();
-  file.commit();
-}
-
 void write_frame(const std::filesystem::path& path, double time_s, const FrameData& frame) {
-  write_frame(path, FramePacker().pack(time_s, frame));
+  FrameWriter().write(path, time_s, frame)->commit();
 }
 
 FrameReader::FrameReader(const std::filesystem::path& path) : file_(path) {

@@ -28,11 +28,13 @@ struct FrameColumn {
   std::size_t components = 1;
 };
 
+/// Particles that there ever were, and that there are now: equal in frames of one run that have the same ones. None if not known.
+using Members = std::optional<std::pair<std::size_t, std::size_t>>;
+
 struct FrameData {
   std::variant<std::vector<float>, std::vector<double>> positions;  ///< x, y, z of each particle [m]; may be empty
   std::vector<FrameColumn> columns;
-  /// Particles that there ever were, and that there are now: equal in frames of one run that have the same ones. None if not known.
-  std::optional<std::pair<std::size_t, std::size_t>> members = {};
+  Members members = {};
 };
 
 /// Whether a frame's positions need 64 bits: those of a run in double precision, and where the domain's farthest coordinate is so many node
@@ -42,45 +44,37 @@ constexpr bool stores_double_positions(bool double_run, double farthest_m, doubl
   return double_run || farthest_m > k_most * dx_m;
 }
 
-/// A frame ready to be written. Making it takes most of the time that a frame costs, and needs no file.
-struct PackedFrame {
-  using Array = std::shared_ptr<const PackedArray>;  ///< some are those of the frame before
-  struct Column {
-    std::string name, unit;
-    Array values;
-  };
-  double time_s;
-  std::size_t particles;
-  Array positions, connectivity, offsets, types;
-  std::vector<Column> columns;
-};
-
-/// Packs the frames of a run with lossless compression, in parallel. Cells and columns of whole numbers (id, material) are packed anew only
-/// when particles have come or gone: a third of the work.
-class FramePacker {
+/// Writes the frames of a run with lossless compression: all threads pack, one of them writes meanwhile what is packed. Cells and columns
+/// of whole numbers (id, material) are packed anew only when particles have come or gone: a third of the work.
+class FrameWriter {
  public:
-  /// Throws std::invalid_argument if a column's length is not components x particles.
-  PackedFrame pack(double time_s, const FrameData& frame);
+  /// A frame that is there as soon as it is committed, which waits for the disk. Throws OutputError, and std::invalid_argument if a
+  /// column's length is not components x particles.
+  std::shared_ptr<AtomicFile> write(const std::filesystem::path& path, double time_s, const FrameData& frame);
   /// The same from parts: their columns one after the other, positions in one of them, whatever their `members`. A part is made when it is
   /// packed, and then let go: a frame of many particles is never there as a whole.
-  PackedFrame pack(double time_s, std::size_t particles, const std::optional<std::pair<std::size_t, std::size_t>>& members,
-                   std::size_t parts, const std::function<FrameData(std::size_t part)>& part_of);
+  std::shared_ptr<AtomicFile> write(const std::filesystem::path& path, double time_s, std::size_t particles, const Members& members,
+                                    std::size_t parts, const std::function<FrameData(std::size_t part)>& part_of);
 
  private:
-  PackedFrame begin(double time_s, std::size_t particles, const std::optional<std::pair<std::size_t, std::size_t>>& members);
-  void add(const FrameData& part, PackedFrame& frame);
+  struct Unfinished;  ///< a frame between its first part and its last
 
-  bool same_particles_ = false;                                 ///< as those of the frame before
-  std::size_t next_kept_ = 0;                                   ///< of the frame that is being packed
-  std::optional<std::pair<std::size_t, std::size_t>> members_;  ///< of the last frame
-  std::vector<PackedFrame::Array> kept_;                        ///< connectivity, offsets, types, columns of whole numbers
+  Unfinished begin(const std::filesystem::path& path, double time_s, std::size_t particles, const Members& members);
+  void add(const FrameData& part, Unfinished& frame);
+  void write_head(Unfinished& frame);
+  std::shared_ptr<AtomicFile> end(Unfinished& frame);
+  void keep(const std::vector<ArrayView>& arrays);
+
+  bool same_particles_ = false;    ///< as those of the frame before
+  std::size_t next_kept_ = 0;      ///< of the frame that is being written
+  Members members_;                ///< of the last frame that was written
+  std::vector<PackedArray> kept_;  ///< cells and whole numbers, in the order in which a frame has them
 };
 
 /// File name of a frame: 42 -> "0042.hdf". (ParaView recognises the format by this ending.)
 std::string frame_name(int frame);
 
 /// Writes one frame, completely or not at all. Throws OutputError.
-void write_frame(const std::filesystem::path& path, const PackedFrame& frame);
 void write_frame(const std::filesystem::path& path, double time_s, const FrameData& frame);
 
 /// A frame that is read. Its particles have the order of the file, which differs from frame to frame: `rows_by_identity` finds a particle.

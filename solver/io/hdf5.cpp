@@ -9,8 +9,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <bit>
 #include <cerrno>
 #include <cmath>
+#include <cstring>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <numeric>
@@ -22,7 +26,11 @@
 namespace bake {
 namespace {
 
-constexpr hsize_t k_chunk_rows = 16384;
+constexpr hsize_t k_most_chunk_rows = 16384;
+
+hsize_t divided_up(hsize_t number, hsize_t by) { return (number + by - 1) / by; }
+
+hsize_t count(const std::vector<hsize_t>& shape) { return std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>()); }
 
 /// [bits] Shannon's entropy of a byte: what a code without memory needs for each.
 double entropy(const std::array<std::uint32_t, 256>& counts, std::size_t bytes) {
@@ -32,30 +40,42 @@ double entropy(const std::array<std::uint32_t, 256>& counts, std::size_t bytes) 
   return bits / static_cast<double>(bytes);
 }
 
-/// Whether deflating would take its time and save next to nothing. Numbers that count up, whose bytes are all as frequent, differ from
-/// their neighbours by always the same.
+/// Whether deflating would take its time and save next to nothing, as a sample of the bytes tells. Numbers that count up, whose bytes are
+/// all as frequent, differ from their neighbours by always the same.
 bool looks_like_noise(std::span<const std::byte> bytes) {
-  constexpr double k_noise_bits = 6.5;  // frames are the same size within 1 % from 7.6 down to 6
+  constexpr double k_noise_bits = 6.5;             // frames are the same size within 1 % from 7.6 down to 6
+  constexpr std::size_t k_run = 256, k_runs = 16;  // neighbours together, from everywhere
   std::array<std::uint32_t, 256> counts{}, differences{};
-  std::uint8_t last = 0;
-  for (const std::byte b : bytes) {
-    const auto byte = std::to_integer<std::uint8_t>(b);
-    ++counts[byte];
-    ++differences[static_cast<std::uint8_t>(byte - last)];
-    last = byte;
+  const std::size_t apart = std::max(bytes.size() / k_runs, k_run);
+  std::size_t seen = 0;
+  for (std::size_t first = 0; first < bytes.size(); first += apart) {
+    std::uint8_t last = 0;
+    for (const std::byte b : bytes.subspan(first, std::min(k_run, bytes.size() - first))) {
+      const auto byte = std::to_integer<std::uint8_t>(b);
+      ++counts[byte];
+      ++differences[static_cast<std::uint8_t>(byte - last)];
+      last = byte;
+      ++seen;
+    }
   }
-  return entropy(counts, bytes.size()) > k_noise_bits && entropy(differences, bytes.size()) > k_noise_bits;
+  return entropy(counts, seen) > k_noise_bits && entropy(differences, seen) > k_noise_bits;
+}
+
+/// A deflate stream [RFC 1951] of the bytes, until the thread asks for the next one.
+std::span<const std::byte> deflated(std::span<const std::byte> bytes) {
+  thread_local const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> fastest(libdeflate_alloc_compressor(1),
+                                                                                                           libdeflate_free_compressor);
+  thread_local std::vector<std::byte> room;
+  room.resize(std::max(room.size(), libdeflate_deflate_compress_bound(fastest.get(), bytes.size())));
+  return {room.data(), libdeflate_deflate_compress(fastest.get(), bytes.data(), bytes.size(), room.data(), room.size())};
 }
 
 /// A zlib stream [RFC 1950] whose first `stored` bytes are blocks that hold them as they are [RFC 1951 Sec. 3.2.4]; the rest is deflated.
 std::vector<std::byte> stored_and_deflated(std::span<const std::byte> bytes, std::size_t stored) {
-  const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(libdeflate_alloc_compressor(1),
-                                                                                                 libdeflate_free_compressor);
   constexpr std::size_t k_largest_block = 0xffff;
-  const auto rest = bytes.subspan(stored);
-  const std::size_t most = libdeflate_deflate_compress_bound(compressor.get(), rest.size());
+  const std::span<const std::byte> rest = deflated(bytes.subspan(stored));
   std::vector<std::byte> out;
-  out.reserve(stored + 5 * (stored / k_largest_block + 1) + most + 6);
+  out.reserve(2 + stored + 5 * divided_up(stored, k_largest_block) + rest.size() + 4);
   const auto put = [&](std::size_t byte) { out.push_back(static_cast<std::byte>(byte & 0xff)); };
   put(0x78), put(0x01);  // deflate with a window of 32 KiB, fastest
   for (std::size_t at = 0; at < stored; at += k_largest_block) {
@@ -63,26 +83,71 @@ std::vector<std::byte> stored_and_deflated(std::span<const std::byte> bytes, std
     put(0), put(size), put(size >> 8), put(~size), put(~size >> 8);  // not the last one; its length, and that inverted
     out.insert(out.end(), bytes.data() + at, bytes.data() + at + size);
   }
-  const std::size_t head = out.size();
-  out.resize(head + most);
-  out.resize(head + libdeflate_deflate_compress(compressor.get(), rest.data(), rest.size(), out.data() + head, most));
+  out.insert(out.end(), rest.begin(), rest.end());
   const std::uint32_t sum = libdeflate_adler32(1, bytes.data(), bytes.size());
   put(sum >> 24), put(sum >> 16), put(sum >> 8), put(sum);
-  out.shrink_to_fit();  // a frame is many of them
   return out;
+}
+
+/// Byte b of number i goes to planes[b * plane_bytes + i].
+template <class Word>
+void shuffle(const std::byte* numbers, std::size_t count, std::byte* planes, std::size_t plane_bytes) {
+  static_assert(std::endian::native == std::endian::little);
+  for (std::size_t b = 0; b < sizeof(Word); ++b)
+#pragma omp simd
+    for (std::size_t i = 0; i < count; ++i) {
+      Word number;
+      std::memcpy(&number, numbers + i * sizeof(Word), sizeof(Word));
+      planes[b * plane_bytes + i] = static_cast<std::byte>(number >> (8 * b));
+    }
 }
 
 /// A chunk as HDF5's filters would store it: shuffled (the first bytes of all numbers, then the second ones, and so on) and deflated, but
 /// for the leading planes of bytes that look like noise, as the low bytes of a mantissa do. Rows beyond the end of the array are zeros.
 std::vector<std::byte> packed_chunk(const std::byte* values, std::size_t bytes, std::size_t chunk_bytes, std::size_t number_bytes) {
+  thread_local std::vector<std::byte> room;
+  room.resize(std::max(room.size(), chunk_bytes));
+  const std::span planes(room.data(), chunk_bytes);
   const std::size_t numbers = chunk_bytes / number_bytes;
-  std::vector<std::byte> shuffled(chunk_bytes);
-  for (std::size_t i = 0; i < bytes / number_bytes; ++i)
-    for (std::size_t b = 0; b < number_bytes; ++b) shuffled[b * numbers + i] = values[i * number_bytes + b];
+  if (bytes < chunk_bytes) std::ranges::fill(planes, std::byte{0});
+  if (number_bytes == 4)
+    shuffle<std::uint32_t>(values, bytes / number_bytes, planes.data(), numbers);
+  else if (number_bytes == 8)
+    shuffle<std::uint64_t>(values, bytes / number_bytes, planes.data(), numbers);
+  else
+    std::copy_n(values, bytes, planes.begin());
   std::size_t noisy = 0;
-  while (noisy < number_bytes && looks_like_noise({shuffled.data() + noisy * numbers, numbers})) ++noisy;
-  return stored_and_deflated(shuffled, noisy * numbers);
+  while (noisy < number_bytes && looks_like_noise(planes.subspan(noisy * numbers, numbers))) ++noisy;
+  return stored_and_deflated(planes, noisy * numbers);
 }
+
+std::vector<std::byte> chunk_of(const ArrayView& array, hsize_t chunk_rows, std::size_t chunk) {
+  const std::size_t row_bytes = array.number_bytes * count(array.shape) / array.shape[0];
+  const hsize_t first = chunk * chunk_rows, rows = std::min(chunk_rows, array.shape[0] - first);
+  return packed_chunk(static_cast<const std::byte*>(array.values) + first * row_bytes, rows * row_bytes, chunk_rows * row_bytes,
+                      array.number_bytes);
+}
+
+/// Carries the first exception out of tasks, which none may leave; what follows it is not done.
+class FirstFailure {
+ public:
+  template <class Work>
+  void watch(Work work) noexcept {
+    if (failed_) return;
+    try {
+      work();
+    } catch (...) {
+      if (!failed_.exchange(true)) what_ = std::current_exception();
+    }
+  }
+  void rethrow() const {
+    if (what_) std::rethrow_exception(what_);
+  }
+
+ private:
+  std::atomic<bool> failed_ = false;
+  std::exception_ptr what_;
+};
 
 /// Stops HDF5 from printing its error stack in this thread.
 void silence_hdf5() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
@@ -120,8 +185,6 @@ ElementType kind_of(hid_t type) {
   return kind == H5T_FLOAT ? other_real : kind == H5T_INTEGER ? other_whole : none;
 }
 
-hsize_t count(const std::vector<hsize_t>& shape) { return std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>()); }
-
 std::string in_words(const std::vector<std::size_t>& shape) { return fmt::format("[{}]", fmt::join(shape, ", ")); }
 
 }  // namespace
@@ -130,23 +193,29 @@ std::string in_words(const std::vector<std::size_t>& shape) { return fmt::format
 
 std::vector<PackedArray> pack(const std::vector<ArrayView>& arrays) {
   std::vector<PackedArray> all;
-  std::vector<std::pair<std::size_t, std::size_t>> work;  // array, chunk
-  for (const ArrayView& array : arrays) {
-    const hsize_t rows = count(array.shape) > 0 ? array.shape[0] : 0, chunk_rows = std::min(rows, k_chunk_rows);
-    const std::size_t chunks = rows > 0 ? (rows + chunk_rows - 1) / chunk_rows : 0;
-    for (std::size_t c = 0; c < chunks; ++c) work.push_back({all.size(), c});
-    all.push_back({array.type, array.shape, std::vector<std::vector<std::byte>>(chunks), chunk_rows});
-  }
-#pragma omp parallel for schedule(dynamic, 1) if (work.size() > 1)
-  for (std::size_t i = 0; i < work.size(); ++i) {
-    const auto [a, c] = work[i];
-    const ArrayView& array = arrays[a];
-    const std::size_t row_bytes = array.number_bytes * count(array.shape) / array.shape[0];
-    const hsize_t chunk_rows = all[a].chunk_rows, first = c * chunk_rows, rows = std::min(chunk_rows, array.shape[0] - first);
-    all[a].chunks[c] = packed_chunk(static_cast<const std::byte*>(array.values) + first * row_bytes, rows * row_bytes,
-                                    chunk_rows * row_bytes, array.number_bytes);
-  }
+  pack(arrays, [&](std::size_t, PackedArray array) { all.push_back(std::move(array)); });
   return all;
+}
+
+void pack(const std::vector<ArrayView>& arrays, const std::function<void(std::size_t, PackedArray)>& take) {
+  std::vector<PackedArray> all;
+  for (const ArrayView& array : arrays) {
+    const hsize_t rows = count(array.shape) > 0 ? array.shape[0] : 0, chunks = divided_up(rows, k_most_chunk_rows);
+    all.push_back({array.type, array.shape, std::vector<std::vector<std::byte>>(chunks), chunks > 0 ? divided_up(rows, chunks) : 0});
+  }
+  FirstFailure failure;
+  PackedArray* const packed = all.data();
+#pragma omp parallel
+#pragma omp single
+  for (std::size_t a = 0; a < all.size(); ++a) {
+    for (std::size_t c = 0; c < packed[a].chunks.size(); ++c) {
+#pragma omp task depend(in : packed[a])
+      failure.watch([&] { packed[a].chunks[c] = chunk_of(arrays[a], packed[a].chunk_rows, c); });
+    }
+#pragma omp task depend(out : packed[a]) depend(inout : failure)
+    failure.watch([&] { take(a, std::move(packed[a])); });
+  }
+  failure.rethrow();
 }
 
 Hdf5Writer::Hdf5Writer(AtomicFile& file, std::size_t heading_bytes) : target_(&file) {

@@ -10,6 +10,7 @@
 #include <concepts>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -87,9 +88,11 @@ struct PackedArray {
   hsize_t chunk_rows;
 };
 
-/// Packs arrays, all chunks of all of them in parallel: HDF5's own filters would take longer than the steps between two frames. Another
-/// thread may use HDF5 meanwhile.
+/// Packs arrays, all chunks of all of them in parallel: HDF5's own filters would take longer than the steps between two frames.
 std::vector<PackedArray> pack(const std::vector<ArrayView>& arrays);
+/// The same, but gives each to take(its place in `arrays`, array) as soon as it is packed, while others still are: in order, one at a time,
+/// from whatever thread. So one thread writes while the others pack. Throws what `take` throws; then it gives no more.
+void pack(const std::vector<ArrayView>& arrays, const std::function<void(std::size_t, PackedArray)>& take);
 
 /// Writes an HDF5 file into `file`, which the caller commits after close(). Without close() the file is discarded.
 /// Every function throws OutputError. The same contents give the same bytes (no time stamps).

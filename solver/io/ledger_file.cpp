@@ -130,10 +130,13 @@ void LedgerFile::append(std::span<const double> row) {
   const auto text = line_of(row);
   const auto before = ::lseek(descriptor_, 0, SEEK_END);
   errno = ENOSPC;  // a write that stops half way sets no error: there was no room for the rest
-  if (::write(descriptor_, text.data(), text.size()) == static_cast<ssize_t>(text.size()) && ::fsync(descriptor_) == 0) return;
+  if (::write(descriptor_, text.data(), text.size()) == static_cast<ssize_t>(text.size())) return;
   const int error = errno;
   const bool whole = ::ftruncate(descriptor_, before) == 0;
   throw OutputError(fmt::format("{}: cannot append{}: {}", path_.string(), whole ? "" : " (its last row is torn)", reason(error)));
+}
+void LedgerFile::flush() {
+  if (::fsync(descriptor_) != 0) throw OutputError(fmt::format("{}: cannot flush to disk: {}", path_.string(), reason(errno)));
 }
 
 }  // namespace bake

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // ledger.csv: the balances that a run books, one row per frame.
 //
-// A row is appended by one write and flushed to disk; if that write fails, the file is cut back to its last whole row. (Rewriting
+// A row is appended by one write; if that write fails, the file is cut back to its last whole row. (Rewriting
 // the whole file for each row would cost time with the square of the number of frames, and programs that follow the file would lose it.)
 // A row that a power cut has truncated has no end of line: readers ignore it, and a resumed run removes it.
 #pragma once
@@ -40,6 +40,8 @@ class LedgerFile {
   /// Appends a row, with 17 significant digits. Throws OutputError, the file then ends with the row before (or is no longer there);
   /// std::invalid_argument if the row is not as long as the heading.
   void append(std::span<const double> row);
+  /// Makes the rows survive a power cut. Throws OutputError.
+  void flush();
 
  private:
   LedgerFile(std::filesystem::path path, std::size_t columns);

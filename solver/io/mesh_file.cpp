@@ -58,10 +58,12 @@ MeshField read_field(const Hdf5Reader& file, const std::string& name) {
           shape.size() == 1 ? file.array<double>(dataset) : file.table<double>(dataset, components)};
 }
 
-void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh) { written_mesh(path, mesh)->commit(); }
+
+std::shared_ptr<AtomicFile> written_mesh(const std::filesystem::path& path, const Mesh& mesh) {
   check_lengths(mesh);
-  AtomicFile file(path);
-  Hdf5Writer out(file);
+  auto file = std::make_shared<AtomicFile>(path);
+  Hdf5Writer out(*file);
   write_vtk_head(out, mesh.time_s);
   write_vtk_points(out, pack({table_view<double>(mesh.points, 3)}).front());
 
@@ -77,7 +79,7 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh) {
   out.array<std::uint8_t>("VTKHDF/Types", types, Packing::shuffle_gzip);
   for (const MeshField& field : mesh.fields) write_field(out, field);
   out.close();
-  file.commit();
+  return file;
 }
 
 Mesh read_mesh(const std::filesystem::path& path) {

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,8 @@ struct Mesh {
 /// Writes the mesh completely or not at all. Points are stored in double precision. Throws OutputError, and std::invalid_argument if
 /// lengths do not fit.
 void write_mesh(const std::filesystem::path& path, const Mesh& mesh);
+/// The same, to be committed.
+std::shared_ptr<AtomicFile> written_mesh(const std::filesystem::path& path, const Mesh& mesh);
 
 /// Reads a mesh. Throws InputError if the file is missing, damaged or not a mesh, if cells are of mixed or other kinds, if a corner is no
 /// vertex, or if an array has the wrong length.

@@ -146,7 +146,8 @@ class Run {
  private:
   void save_checkpoint() const;
   void save_series(int frame) const;
-  void save_frame(int frame, const ShownFrame& shown, const std::vector<double>& row);
+  std::function<void()> save_frame(int frame, const std::vector<double>& row);
+  void flush_frames();
   void save_description(const char* state) const;
   bool advance();
   void expect_results() const;
@@ -162,7 +163,7 @@ class Run {
   SpareDescriptor spare_;
   Progress progress_;
   std::unique_ptr<Simulation> simulation_;
-  FramePacker packer_;
+  FrameWriter frames_;
   int frame_ = 0;                ///< the last one that was reached
   std::atomic<int> saved_ = -1;  ///< and that was written
   double began_ = steady_seconds(), wall_before_ = 0;
@@ -184,7 +185,7 @@ void Run::begin() {
     save_description("running");
     ledger_.emplace(LedgerFile::create(results_.ledger(), ledger_columns(scene_)));
     if (!scene_.skins.empty()) results_.make_skins();
-    save_frame(0, simulation_->shown_frame(packer_), first_);
+    save_frame(0, first_)();
     save_series(0);
   } catch (const OutputError& error) {
     fail();
@@ -252,18 +253,32 @@ void Run::save_series(int frame) const {
   if (!scene_.skins.empty()) save("skins/", results_.skin_series());
 }
 
-/// Writes what a frame leaves; the ledger comes last, so that its rows are those of whole frames.
-void Run::save_frame(int frame, const ShownFrame& shown, const std::vector<double>& row) {
+/// Writes what a frame leaves. The job that it returns waits for the disk, and then the frame is there; the ledger comes last, so that its
+/// rows are those of whole frames.
+std::function<void()> Run::save_frame(int frame, const std::vector<double>& row) {
   if (!results_.is_own())
     throw RunError(fmt::format("{}: was removed or moved while the run went on, frame {} is not written", results_.path().string(), frame));
-  try {
-    write_frame(results_.frame(frame), shown.particles);
-    if (shown.skin) write_mesh(results_.skin(frame), *shown.skin);
-    ledger_->append(row);
-    saved_ = frame;
-  } catch (const OutputError& error) {
-    throw OutputError(fmt::format("frame {}: {}", frame, error.what()));
-  }
+  const auto saving = [frame](auto part) {
+    try {
+      return part();
+    } catch (const OutputError& error) {
+      throw OutputError(fmt::format("frame {}: {}", frame, error.what()));
+    }
+  };
+  const WrittenFrame written = saving([&] { return simulation_->written_frame(frames_, results_.frame(frame), results_.skin(frame)); });
+  return [=, this] {
+    saving([&] {
+      written.put_in_place();
+      ledger_->append(row);
+      saved_ = frame;
+    });
+  };
+}
+
+void Run::flush_frames() {
+  flush_folder(results_.frames());
+  if (!scene_.skins.empty()) flush_folder(results_.skins());
+  ledger_->flush();
 }
 
 /// Writes run.json: what the run is, and its state so far. Its seconds include those before the run was resumed.
@@ -333,13 +348,14 @@ RunSummary Run::go_on() {
     if (reached) {
       ++frame_;
       last_ = ledger_row(*simulation_);
-      // packed here, by all threads: a thread of its own would take a core from the steps, whose threads wait for each other
-      writer_->put([this, frame = frame_, shown = simulation_->shown_frame(packer_), row = last_] { save_frame(frame, shown, row); });
+      // written here, by all threads: a thread of its own would take a core from the steps, whose threads wait for each other
+      writer_->put(save_frame(frame_, last_));
       progress_.update(standing());
     }
     const bool at_end = frame_ == times_.last(), stop = StopSignals::asked() && !at_end;
     if (stop || at_end || (reached && frame_ % scene_.run.checkpoint_every_frames == 0)) {
       writer_->finish();  // a checkpoint knows of no frame that is not there
+      flush_frames();
       save_series(frame_);
       save_checkpoint();
       save_description("running");  // a killed run must not lose the time that it took
@@ -401,11 +417,9 @@ Costs try_out(Simulation& simulation, double end) {
   const double advanced = simulation.time() + simulation.settling().time;
   const double lengthening = steps > 0 && first_step > 0 ? advanced / steps / first_step : 1;
   const ScratchFolder scratch;
-  FramePacker packer;
+  FrameWriter writer;
   const auto write = [&](int frame) {
-    const ShownFrame shown = simulation.shown_frame(packer);
-    write_frame(scratch / frame_name(frame), shown.particles);
-    if (shown.skin) write_mesh(scratch / frame_name(frame + 2), *shown.skin);
+    simulation.written_frame(writer, scratch / frame_name(frame), scratch / frame_name(frame + 2)).put_in_place();
   };
   write(0);  // the first frame takes much longer than later ones
   const double again = steady_seconds();

@@ -163,11 +163,12 @@ class SimulationOf final : public Simulation {
     return frame;
   }
 
-  ShownFrame shown_frame(FramePacker& packer) const override {
+  WrittenFrame written_frame(FrameWriter& writer, const std::filesystem::path& file, const std::filesystem::path& skin) const override {
     constexpr std::size_t k_whole = std::size_t{1} << 19;  // particles of a frame that may be there as a whole
     if (particles() <= k_whole || engine_.skins()) {
       const FrameData flesh = frame();
-      return {packer.pack(time(), flesh), skin_mesh(flesh)};
+      const std::optional<Mesh> mesh = skin_mesh(flesh);
+      return {writer.write(file, time(), flesh), mesh ? written_mesh(skin, *mesh) : nullptr};
     }
     const std::vector<std::uint32_t> rows = rows_by_identity();
     const auto parts = parts_of_frame(rows);
@@ -176,7 +177,7 @@ class SimulationOf final : public Simulation {
       parts[part](frame);
       return frame;
     };
-    return {packer.pack(time(), particles(), members(), parts.size(), part_of), {}};
+    return {writer.write(file, time(), particles(), members(), parts.size(), part_of), nullptr};
   }
 
   const SkinSums& skin_sums() const override {

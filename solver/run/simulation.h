@@ -31,10 +31,15 @@ struct Snapshot {
   const std::vector<double>& operator[](std::string_view column) const;  ///< throws std::out_of_range
 };
 
-/// What a frame shows, ready to be written.
-struct ShownFrame {
-  PackedFrame particles;
-  std::optional<Mesh> skin;  ///< of scenes with skins
+/// The files of a frame, to be put in place.
+struct WrittenFrame {
+  std::shared_ptr<AtomicFile> particles;
+  std::shared_ptr<AtomicFile> skin;  ///< of scenes with skins
+
+  void put_in_place() const {
+    particles->put_in_place();
+    if (skin) skin->put_in_place();
+  }
 };
 
 class Simulation {
@@ -93,7 +98,8 @@ class Simulation {
   virtual std::optional<Mesh> skin_mesh(const FrameData& flesh) const = 0;
   virtual const SkinSums& skin_sums() const = 0;  ///< at the last sample; zero without skins
   void write_frame_file(const std::filesystem::path& path) const { write_frame(path, time(), frame()); }
-  virtual ShownFrame shown_frame(FramePacker& packer) const = 0;
+  virtual WrittenFrame written_frame(FrameWriter& writer, const std::filesystem::path& particles,
+                                     const std::filesystem::path& skin) const = 0;
   virtual std::size_t bytes() const = 0;
   virtual std::size_t active_nodes() const = 0;
   virtual std::string memory_words() const = 0;  ///< "19 columns, 76 bytes per particle; ..."

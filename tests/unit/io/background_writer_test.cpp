@@ -59,12 +59,12 @@ TEST(BackgroundWriter, WritesFramesAndLedgerWhileItsOwnerMakesTheNextOnes) {
   const TemporaryFolder folder;
   LedgerFile ledger = LedgerFile::create(folder / "ledger.csv", {"time_s"});
   BackgroundWriter writer;
-  FramePacker packer;
+  FrameWriter frames;
   std::vector<float> x(3 * 40000);
   for (int frame = 0; frame < 5; ++frame) {
     for (float& x_d : x) x_d += 1;
-    writer.put([&, frame, data = packer.pack(frame, {x, {}})] {
-      write_frame(folder / frame_name(frame), data);
+    writer.put([&, frame, written = frames.write(folder / frame_name(frame), frame, {x, {}})] {
+      written->put_in_place();
       ledger.append(std::array{static_cast<double>(frame)});
     });
   }

@@ -47,50 +47,69 @@ TEST(Frame, NeedsDoubleWhereFloatDoesNotResolveAThousandthOfANodeDistance) {
   EXPECT_LT(std::nextafter(before, 17.0f) - before, 1e-3 * 1e-3 * 2);
 }
 
-TEST(FramePacker, PacksPartsAsItPacksTheWhole) {
+TEST(FrameWriter, WritesPartsAsItWritesTheWhole) {
   const TemporaryFolder scratch;
   constexpr std::size_t n = 1000;
   std::vector<std::int64_t> id(n);
   std::vector<float> x(3 * n), theta(n), v(3 * n);
   for (std::size_t i = 0; i < n; ++i) id[i] = static_cast<std::int64_t>(2 * i), theta[i] = static_cast<float>(i) / 7;
   for (std::size_t i = 0; i < 3 * n; ++i) x[i] = static_cast<float>(i) / 3, v[i] = -x[i];
-  const std::pair<std::size_t, std::size_t> members{2 * n, n};
+  const Members members{{2 * n, n}};
   const FrameData parts[] = {
       {x, {}, members}, {{}, {{"id", "1", id}}, members}, {{}, {{"theta", "C", theta}, {"velocity", "m/s", v, 3}}, members}};
-  FramePacker by_parts, whole;
+  FrameWriter by_parts, whole;
   for (const char* name : {"0", "1"}) {  // the second frame keeps identities and cells of the first
-    write_frame(scratch / (std::string("parts_") + name),
-                by_parts.pack(0.5, n, members, std::size(parts), [&](std::size_t part) { return parts[part]; }));
-    write_frame(scratch / (std::string("whole_") + name),
-                whole.pack(0.5, {x, {{"id", "1", id}, {"theta", "C", theta}, {"velocity", "m/s", v, 3}}, members}));
-    EXPECT_TRUE(contents(scratch / (std::string("parts_") + name)) == contents(scratch / (std::string("whole_") + name)));
+    const auto in_parts = scratch / (std::string("parts_") + name), in_one = scratch / (std::string("whole_") + name);
+    by_parts.write(in_parts, 0.5, n, members, std::size(parts), [&](std::size_t part) { return parts[part]; })->commit();
+    whole.write(in_one, 0.5, {x, {{"id", "1", id}, {"theta", "C", theta}, {"velocity", "m/s", v, 3}}, members})->commit();
+    EXPECT_TRUE(contents(in_parts) == contents(in_one));
   }
   EXPECT_EQ(FrameReader(scratch / "parts_1").column("velocity", 3), v);
   EXPECT_EQ(FrameReader(scratch / "parts_1").identities(), id);
 }
 
-TEST(FramePacker, PacksIdentitiesAndCellsAnewWhenParticlesComeOrGo) {
+TEST(FrameWriter, WritesTheSameFrameWhateverItKeeps) {
   const TemporaryFolder scratch;
-  FramePacker packer;
-  const auto frame = [&](std::size_t ever, std::vector<std::int64_t> id) {
+  FrameWriter frames;
+  const auto write = [&](const char* name, std::size_t ever, std::vector<std::int64_t> id) {
     const std::size_t here = id.size();
     FrameData data{std::vector<float>(3 * here, static_cast<float>(ever)),
                    {{"id", "1", std::move(id)}, {"theta", "C", std::vector<float>(here, static_cast<float>(ever))}}};
     data.members = {ever, here};
-    return packer.pack(0, data);
+    frames.write(scratch / name, 0, data)->commit();
   };
-  const PackedFrame first = frame(3, {0, 1, 2}), same = frame(3, {0, 1, 2}), fewer = frame(3, {0, 2}), other = frame(4, {2, 3});
-  EXPECT_EQ(same.connectivity, first.connectivity) << "the same particles";
-  EXPECT_EQ(same.columns[0].values, first.columns[0].values);
-  EXPECT_NE(same.columns[1].values, first.columns[1].values) << "theta may change at any time";
-  write_frame(scratch / "0000.hdf", same);
-  write_frame(scratch / "0001.hdf", fewer);
-  write_frame(scratch / "0002.hdf", other);
-  EXPECT_EQ(FrameReader(scratch / "0000.hdf").identities(), (std::vector<std::int64_t>{0, 1, 2}));
-  EXPECT_EQ(FrameReader(scratch / "0001.hdf").identities(), (std::vector<std::int64_t>{0, 2}));
-  EXPECT_EQ(FrameReader(scratch / "0002.hdf").identities(), (std::vector<std::int64_t>{2, 3}));
-  EXPECT_EQ(FrameReader(scratch / "0002.hdf").column("theta"), (std::vector<float>{4, 4}));
-  EXPECT_EQ(Hdf5Reader(scratch / "0002.hdf").array<std::int64_t>("VTKHDF/Offsets"), (std::vector<std::int64_t>{0, 1, 2}));
+  write("first", 3, {0, 1, 2});
+  write("same", 3, {0, 1, 2});
+  write("fewer", 3, {0, 2});
+  write("other", 4, {2, 3});
+  EXPECT_TRUE(contents(scratch / "same") == contents(scratch / "first"));
+  EXPECT_EQ(FrameReader(scratch / "same").identities(), (std::vector<std::int64_t>{0, 1, 2}));
+  EXPECT_EQ(FrameReader(scratch / "fewer").identities(), (std::vector<std::int64_t>{0, 2}));
+  EXPECT_EQ(FrameReader(scratch / "other").identities(), (std::vector<std::int64_t>{2, 3}));
+  EXPECT_EQ(FrameReader(scratch / "other").column("theta"), (std::vector<float>{4, 4}));
+  EXPECT_EQ(Hdf5Reader(scratch / "other").array<std::int64_t>("VTKHDF/Offsets"), (std::vector<std::int64_t>{0, 1, 2}));
+}
+
+TEST(FrameWriter, PacksIdentitiesAndCellsOnceForTheSameParticles) {
+  const TemporaryFolder scratch;
+  FrameWriter frames;
+  const auto write = [&](std::int64_t id) {  // a lie about who is there shows what was kept
+    FrameData data{std::vector<float>(3), {{"id", "1", std::vector{id}}}, Members{{1, 1}}};
+    frames.write(scratch / "frame", 0, data)->commit();
+    return FrameReader(scratch / "frame").identities().at(0);
+  };
+  EXPECT_EQ(write(7), 7);
+  EXPECT_EQ(write(8), 7);
+}
+
+TEST(FrameWriter, SaysWhyItCannotWriteAndGoesOnWithTheNextFrame) {
+  const TemporaryFolder scratch;
+  FrameWriter frames;
+  const FrameData data{std::vector<float>(3), {{"theta", "C", std::vector<float>(1)}}, Members{{1, 1}}};
+  const auto message = message_of<OutputError>([&] { frames.write(scratch / "none/0000.hdf", 0, data); });
+  EXPECT_TRUE(message.find("none/0000.hdf: cannot create: No such file") != std::string::npos) << message;
+  frames.write(scratch / "0001.hdf", 0, data)->commit();
+  EXPECT_EQ(FrameReader(scratch / "0001.hdf").particles(), 1u);
 }
 
 TEST(Frame, HasAVtkCellForEachParticle) {
