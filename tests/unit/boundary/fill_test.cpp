@@ -2,10 +2,12 @@
 #include "solver/boundary/fill.h"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 
 #include "tests/unit/boundary/sampling.h"
@@ -103,6 +105,18 @@ TEST(SampledVolume, OfNothingIsZeroAndOfAFloorInfinite) {
   for (const double apart : {0.2, 0.3})  // touching, and not
     EXPECT_EQ(make_intersection({make_sphere({0, 0, 0}, 0.1), make_sphere({0, 0, apart}, 0.1)})->volume(), 0) << apart;
   EXPECT_EQ(make_difference(make_sphere({0, 0, 0}, 0.1), {make_sphere({0, 0, 0}, 0.2)})->volume(), 0);
+}
+
+TEST(SampledVolume, HasTheSameBitsForAnyNumberOfThreads) {
+  const ShapePtr slit = make_difference(make_superellipsoid({0.08, 0.09, 0.07}, 3, 4), {make_box({0, 0, 0.07}, {0.1, 0.01, 0.02})});
+  const int before = omp_get_max_threads();
+  std::set<double> volumes;
+  for (const int threads : {1, 2, 3, 7}) {
+    omp_set_num_threads(threads);
+    volumes.insert(sampled_volume(*slit));
+  }
+  omp_set_num_threads(before);
+  EXPECT_EQ(volumes.size(), 1u);
 }
 
 TEST(SampledVolume, IsNoMoreExactThanIsAsked) {

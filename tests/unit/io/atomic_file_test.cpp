@@ -45,6 +45,17 @@ TEST(AtomicFile, LeavesTheOldFileAloneUntilItIsCommitted) {
   EXPECT_EQ(files_in(scratch.path()), 1u);
 }
 
+TEST(AtomicFile, IsThereOncePutInPlace) {
+  const TemporaryFolder scratch;
+  AtomicFile file(scratch / "note.txt");
+  file.write_at(0, std::as_bytes(std::span(std::string_view("new"))));
+  file.put_in_place();
+  EXPECT_EQ(contents(scratch / "note.txt"), "new");
+  EXPECT_NO_THROW(flush_folder(scratch.path()));
+  const auto message = message_of<OutputError>([&] { flush_folder(scratch / "missing"); });
+  EXPECT_TRUE(has(message, "missing: what was written there cannot be flushed to disk: No such file or directory")) << message;
+}
+
 TEST(AtomicFile, EmptiesWhatAnInterruptedRunLeftAside) {
   const TemporaryFolder scratch;
   put(scratch / "note.txt.part", "left over by a crash");

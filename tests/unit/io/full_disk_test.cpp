@@ -3,6 +3,7 @@
 // no crash of HDF5 when the program ends (CTest runs each test in a program of its own and looks at how it ended).
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <omp.h>
 #include <sched.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
@@ -22,7 +23,7 @@ namespace {
 
 constexpr std::size_t k_room = 1 << 20;  ///< bytes
 
-/// A file system of 1 MiB, seen by this program only and gone with it. False where that is not allowed.
+/// A file system of 1 MiB, seen by this thread and those that it starts, and gone with them. False where that is not allowed.
 bool mount_small_disk(const std::filesystem::path& folder) {
   return unshare(CLONE_NEWNS) == 0 && mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
          mount("none", folder.c_str(), "tmpfs", 0, "size=1m") == 0;
@@ -92,10 +93,15 @@ class FullDisk : public testing::TestWithParam<Case> {
     GetParam().write(file, 20000);  // and it goes on when there is room again
     EXPECT_NE(contents(file), old);
   }
+  ~FullDisk() override { omp_set_num_threads(threads_before_); }
   const TemporaryFolder scratch_;
+
+ private:
+  const int threads_before_ = omp_get_max_threads();
 };
 
 TEST_P(FullDisk, LeavesTheOldFileAndNothingHalfWritten) {
+  omp_set_num_threads(1);  // threads from before do not see the small disk
   if (!mount_small_disk(scratch_.path())) GTEST_SKIP() << "mounting a file system needs more rights";
   expect_old_file_intact(
       scratch_.path(), [&] { GetParam().write(scratch_ / "result", k_room); }, "No space left on device");

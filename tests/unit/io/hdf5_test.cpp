@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <omp.h>
 
+#include <atomic>
 #include <bit>
 #include <limits>
 #include <numeric>
@@ -144,6 +146,59 @@ TEST(Hdf5, KeepsMoreNoiseThanABlockHolds) {
   const std::vector<float> rough = rough_numbers(5 * 40000);
   write_file(scratch / "f.hdf", [&](Hdf5Writer& out) { out.table<float>("rough", rough, 5, Packing::shuffle_gzip); });
   EXPECT_TRUE(same_bits(Hdf5Reader(scratch / "f.hdf").table<float>("rough", 5), rough));
+}
+
+TEST(Hdf5, DividesAnArrayIntoEvenPieces) {
+  const TemporaryFolder scratch;
+  write_file(scratch / "f.hdf",
+             [&](Hdf5Writer& out) { out.array<float>("n", std::vector<float>(16384 + 2, 0.5f), Packing::shuffle_gzip); });
+  const Hdf5Handle file(H5Fopen((scratch / "f.hdf").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  const Hdf5Handle data(H5Dopen2(file, "n", H5P_DEFAULT), H5Dclose);
+  hsize_t rows = 0;
+  EXPECT_EQ(H5Pget_chunk(Hdf5Handle(H5Dget_create_plist(data), H5Pclose), 1, &rows), 1);
+  EXPECT_EQ(rows, 8193u) << "not one of 16384 and one that is nearly empty";
+}
+
+/// Arrays of as many chunks as their number.
+class Pack : public testing::Test {
+ protected:
+  Pack() {
+    for (std::size_t a = 0; a < 12; ++a) numbers_.push_back(std::vector<float>(a * 16384, static_cast<float>(a)));
+    for (const auto& numbers : numbers_) arrays_.push_back(array_view<float>(numbers));
+    omp_set_num_threads(3);
+  }
+  ~Pack() override { omp_set_num_threads(threads_before_); }
+
+  std::vector<ArrayView> arrays_;
+
+ private:
+  std::vector<std::vector<float>> numbers_;
+  const int threads_before_ = omp_get_max_threads();
+};
+
+TEST_F(Pack, GivesEachArrayInOrderAndOneAtATime) {
+  std::vector<std::size_t> order, chunks;
+  std::atomic<int> inside = 0;
+  pack(arrays_, [&](std::size_t array, const PackedArray& packed) {
+    EXPECT_EQ(++inside, 1);
+    order.push_back(array);
+    chunks.push_back(packed.chunks.size());
+    --inside;
+  });
+  std::vector<std::size_t> rising(12);
+  std::iota(rising.begin(), rising.end(), 0);
+  EXPECT_EQ(order, rising);
+  EXPECT_EQ(chunks, rising);
+}
+
+TEST_F(Pack, ThrowsWhatItsTakerThrewAndGivesNoMore) {
+  std::size_t given = 0;
+  const auto take = [&](std::size_t array, const PackedArray&) {
+    ++given;
+    if (array == 3) throw OutputError("the disk is full");
+  };
+  EXPECT_EQ(message_of<OutputError>([&] { pack(arrays_, take); }), "the disk is full");
+  EXPECT_EQ(given, 4u);
 }
 
 TEST(Hdf5, KeepsAttributesExactly) {
