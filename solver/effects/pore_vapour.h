@@ -50,7 +50,7 @@ BAKE_INLINE auto through_surface(const Node& node, const SurfaceLayer<Real>& lay
                        saturated(node[channel::heat_content] / node[channel::heat_capacity]);
   const auto h = layer.dx * transfer, none = 0 * h;
   const auto passes = mobility / (mobility + h * layer.depth(h / (mobility + h)));
-  return (transfer > none) & (volume > none) ? passes * density * transfer / volume : none;
+  return ((transfer > none) & (volume > none)) ? passes * density * transfer / volume : none;
 }
 
 }  // namespace bake::pore_vapour
