@@ -48,7 +48,7 @@ bool read_all(std::FILE* file, std::vector<T>& values) {
 }
 
 /// Address space in use, which counts against the limit, too.
-double bytes_in_use() {
+[[maybe_unused]] double bytes_in_use() {
   double pages = 0;
   std::ifstream("/proc/self/statm") >> pages;
   return pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
