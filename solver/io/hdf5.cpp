@@ -206,7 +206,7 @@ void pack(const std::vector<ArrayView>& arrays, const std::function<void(std::si
   FirstFailure failure;
   PackedArray* const packed = all.data();
 #pragma omp parallel
-#pragma omp single
+#pragma omp master  // if another thread makes tasks with dependencies, gcc's library never frees the table of these
   for (std::size_t a = 0; a < all.size(); ++a) {
     for (std::size_t c = 0; c < packed[a].chunks.size(); ++c) {
 #pragma omp task depend(in : packed[a])

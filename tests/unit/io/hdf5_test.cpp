@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <malloc.h>
 #include <omp.h>
 
 #include <atomic>
@@ -199,6 +200,18 @@ TEST_F(Pack, ThrowsWhatItsTakerThrewAndGivesNoMore) {
   };
   EXPECT_EQ(message_of<OutputError>([&] { pack(arrays_, take); }), "the disk is full");
   EXPECT_EQ(given, 4u);
+}
+
+/// As libgomp does if any thread may make the tasks (findings/libgomp_task_table.sh).
+TEST_F(Pack, LosesNoMemory) {
+  arrays_.resize(2);
+  const auto grown = [&](int times) {
+    const std::size_t before = mallinfo2().uordblks;
+    for (int i = 0; i < times; ++i) pack(arrays_, [](std::size_t, const PackedArray&) {});
+    return static_cast<long>(mallinfo2().uordblks - before);
+  };
+  grown(100);  // what threads keep for the next time
+  EXPECT_LT(grown(2000), 10000);
 }
 
 TEST(Hdf5, KeepsAttributesExactly) {
