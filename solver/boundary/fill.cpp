@@ -74,7 +74,7 @@ class PoissonSampler {
     });
     std::vector<Point> inside;
     for_cells(k_fringe, [&](const Count3&, std::size_t cell) {
-      if (stored_[cell] >= 0 && shape_.distance(points_[stored_[cell]]) <= 0) inside.push_back(points_[stored_[cell]]);
+      if (stored_[cell] >= 0 && is_inside_[stored_[cell]]) inside.push_back(points_[stored_[cell]]);
     });
     return inside;
   }
@@ -115,7 +115,9 @@ class PoissonSampler {
       const std::int32_t other = stored_[cell + offset];
       if (other >= 0 && dot(x - points_[other], x - points_[other]) < radius_ * radius_) return false;
     }
-    if (shape_.distance(x) > reach_) return false;
+    const double distance = shape_.distance(x);
+    if (distance > reach_) return false;
+    is_inside_.push_back(distance <= 0);
     stored_[cell] = static_cast<std::int32_t>(points_.size());
     active_.push_back(stored_[cell]);
     points_.push_back(x);
@@ -148,7 +150,43 @@ class PoissonSampler {
   std::vector<std::int32_t> stored_;  ///< per cell: index of its point, or -1
   std::vector<std::ptrdiff_t> neighbours_;
   std::vector<Point> points_;
+  std::vector<bool> is_inside_;  ///< of the points
   std::vector<std::int32_t> active_;
+};
+
+/// The places of a cubic lattice, layer by layer along x.
+class LatticeOfPlaces {
+ public:
+  LatticeOfPlaces(const Shape& shape, double spacing_m, double jitter, std::uint64_t seed)
+      : shape_(shape), spacing_(spacing_m), jitter_(jitter), seed_(seed) {
+    const Box3 box = finite_bounds(shape, spacing_m);
+    for (int i = 0; i < 3; ++i) {
+      // One more layer on either side, from which points may be displaced into the shape.
+      count_[i] = std::max<std::int64_t>(1, std::llround((box.high[i] - box.low[i]) / spacing_m)) + 2;
+      first_[i] = 0.5 * (box.low[i] + box.high[i]) - 0.5 * static_cast<double>(count_[i] - 1) * spacing_m;
+    }
+  }
+  std::int64_t layers() const { return count_[0]; }
+  /// Not inlined: two copies of it may round differently.
+  [[gnu::noinline]] void visit_layer(std::int64_t i, const std::function<bool(const Point&)>& wanted,
+                                     const std::function<void(const Point&)>& found) const {
+    std::uint64_t drawn = static_cast<std::uint64_t>(3 * i * count_[1] * count_[2]);  // three numbers for every place, wanted or not
+    for (std::int64_t j = 0; j < count_[1]; ++j) {
+      for (std::int64_t k = 0; k < count_[2]; ++k, drawn += 3) {
+        const Point place = first_ + spacing_ * Vector3{double(i), double(j), double(k)};
+        if (!wanted(place)) continue;
+        const Point x = place + 0.5 * jitter_ * spacing_ * Random(seed_, drawn).in_cube();
+        if (shape_.distance(x) <= 0) found(x);
+      }
+    }
+  }
+
+ private:
+  const Shape& shape_;
+  double spacing_, jitter_;
+  std::uint64_t seed_;
+  Count3 count_;
+  Point first_;
 };
 
 /// A cube, halved until its parts are inside of a shape, outside, or of the finest size.
@@ -208,31 +246,19 @@ SampledVolume sample_volume(const Shape& shape, double finest, int halvings) {
 
 void visit_lattice(const Shape& shape, double spacing_m, double jitter, std::uint64_t seed, const std::function<bool(const Point&)>& wanted,
                    const std::function<void(const Point&)>& found) {
-  const Box3 box = finite_bounds(shape, spacing_m);
-  Count3 count;
-  Point first;
-  for (int i = 0; i < 3; ++i) {
-    // One more layer on either side, from which points may be displaced into the shape.
-    count[i] = std::max<std::int64_t>(1, std::llround((box.high[i] - box.low[i]) / spacing_m)) + 2;
-    first[i] = 0.5 * (box.low[i] + box.high[i]) - 0.5 * static_cast<double>(count[i] - 1) * spacing_m;
-  }
-  std::uint64_t drawn = 0;  // three numbers for every place, wanted or not
-  for (std::int64_t i = 0; i < count[0]; ++i) {
-    for (std::int64_t j = 0; j < count[1]; ++j) {
-      for (std::int64_t k = 0; k < count[2]; ++k, drawn += 3) {
-        const Point place = first + spacing_m * Vector3{double(i), double(j), double(k)};
-        if (!wanted(place)) continue;
-        const Point x = place + 0.5 * jitter * spacing_m * Random(seed, drawn).in_cube();
-        if (shape.distance(x) <= 0) found(x);
-      }
-    }
-  }
+  const LatticeOfPlaces lattice(shape, spacing_m, jitter, seed);
+  for (std::int64_t i = 0; i < lattice.layers(); ++i) lattice.visit_layer(i, wanted, found);
 }
 
 std::vector<Point> fill_lattice(const Shape& shape, double spacing_m, double jitter, std::uint64_t seed) {
+  const LatticeOfPlaces lattice(shape, spacing_m, jitter, seed);
+  std::vector<std::vector<Point>> layers(static_cast<std::size_t>(lattice.layers()));
+  for_each_parallel(layers.size(), 1, [&](std::size_t i) {
+    lattice.visit_layer(
+        static_cast<std::int64_t>(i), [](const Point&) { return true; }, [&](const Point& x) { layers[i].push_back(x); });
+  });
   std::vector<Point> inside;
-  visit_lattice(
-      shape, spacing_m, jitter, seed, [](const Point&) { return true; }, [&](const Point& x) { inside.push_back(x); });
+  for (const std::vector<Point>& layer : layers) inside.insert(inside.end(), layer.begin(), layer.end());
   return inside;
 }
 
