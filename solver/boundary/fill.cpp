@@ -258,7 +258,11 @@ std::vector<Point> fill_lattice(const Shape& shape, double spacing_m, double jit
         static_cast<std::int64_t>(i), [](const Point&) { return true; }, [&](const Point& x) { layers[i].push_back(x); });
   });
   std::vector<Point> inside;
-  for (const std::vector<Point>& layer : layers) inside.insert(inside.end(), layer.begin(), layer.end());
+  inside.reserve(std::transform_reduce(layers.begin(), layers.end(), std::size_t{0}, std::plus{}, std::mem_fn(&std::vector<Point>::size)));
+  for (std::vector<Point>& layer : layers) {
+    inside.insert(inside.end(), layer.begin(), layer.end());
+    layer = {};
+  }
   return inside;
 }
 
