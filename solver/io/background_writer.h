@@ -21,7 +21,7 @@ class BackgroundWriter {
   BackgroundWriter(const BackgroundWriter&) = delete;
   BackgroundWriter& operator=(const BackgroundWriter&) = delete;
 
-  /// Adds a job. Waits until fewer than two are left: each holds a frame in memory.
+  /// Adds a job. Waits until fewer than two are left, so that a disk that fails is noticed soon.
   void put(std::function<void()> job);
   /// Throws if a job has failed.
   void check();
