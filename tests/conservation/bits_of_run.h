@@ -8,13 +8,13 @@
 #include "solver/io/checkpoint.h"
 #include "tests/conservation/dough.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/threads_restored.h"
 
 namespace bake {
 
 class BitsOfRun : public testing::Test {
  protected:
   BitsOfRun(const Scene& of, int until) : scene(of), frames(until) {}
-  void TearDown() override { omp_set_num_threads(threads); }
   std::string saved(const Simulation& s) const {
     CheckpointWriter out(file, "run", scene.run.precision);
     s.write(out);
@@ -51,7 +51,7 @@ class BitsOfRun : public testing::Test {
   const int frames;
   const TemporaryFolder folder;
   const std::filesystem::path file = folder / "run.h5";
-  const int threads = omp_get_max_threads();
+  const ThreadsRestored restored;
 };
 
 }  // namespace bake

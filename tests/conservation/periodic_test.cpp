@@ -5,6 +5,7 @@
 #include "solver/io/checkpoint.h"
 #include "tests/conservation/dough.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/threads_restored.h"
 
 namespace bake {
 namespace {
@@ -162,7 +163,7 @@ TEST(PeriodicFaces, GiveTheSameBitsForAnyNumberOfThreadsAndAfterAStop) {
     out.commit();
     return contents(folder / name);
   };
-  const int threads = omp_get_max_threads();
+  const ThreadsRestored restored;
   std::string whole;
   for (const int n : {1, 3}) {
     omp_set_num_threads(n);
@@ -178,7 +179,6 @@ TEST(PeriodicFaces, GiveTheSameBitsForAnyNumberOfThreadsAndAfterAStop) {
   const auto resumed = Simulation::resume(scene, CheckpointReader(folder / "half.h5"));
   take_steps(*resumed, 150, 5e-4);
   EXPECT_TRUE(save(*resumed, "resumed.h5") == whole);
-  omp_set_num_threads(threads);
 }
 
 }  // namespace

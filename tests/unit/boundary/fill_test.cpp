@@ -10,6 +10,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "tests/support/threads_restored.h"
 #include "tests/unit/boundary/sampling.h"
 
 namespace bake {
@@ -109,13 +110,12 @@ TEST(SampledVolume, OfNothingIsZeroAndOfAFloorInfinite) {
 
 TEST(SampledVolume, HasTheSameBitsForAnyNumberOfThreads) {
   const ShapePtr slit = make_difference(make_superellipsoid({0.08, 0.09, 0.07}, 3, 4), {make_box({0, 0, 0.07}, {0.1, 0.01, 0.02})});
-  const int before = omp_get_max_threads();
+  const ThreadsRestored restored;
   std::set<double> volumes;
   for (const int threads : {1, 2, 3, 7}) {
     omp_set_num_threads(threads);
     volumes.insert(sampled_volume(*slit));
   }
-  omp_set_num_threads(before);
   EXPECT_EQ(volumes.size(), 1u);
 }
 

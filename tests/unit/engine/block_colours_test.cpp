@@ -8,6 +8,8 @@
 #include <numeric>
 #include <vector>
 
+#include "tests/support/threads_restored.h"
+
 namespace bake {
 namespace {
 
@@ -109,7 +111,7 @@ TEST(BlockColours, VisitEveryBlockOnceAndNeighboursInOneOrder) {
   const auto blocks = ellipsoid({15, 12, 14}, geometry);
   BlockColours colours;
   colours.find(blocks, geometry);
-  const int threads = omp_get_max_threads();
+  const ThreadsRestored restored;
   std::vector<std::vector<int>> turns;
   for (const int n : {1, BlockColours::k_many_threads}) {
     omp_set_num_threads(n);
@@ -122,7 +124,6 @@ TEST(BlockColours, VisitEveryBlockOnceAndNeighboursInOneOrder) {
     EXPECT_EQ(next, static_cast<int>(blocks.size()));
     turns.push_back(turn);
   }
-  omp_set_num_threads(threads);
   for (std::size_t a = 0; a < blocks.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) {
       const BlockIndex &p = blocks[a].at, &q = blocks[b].at;

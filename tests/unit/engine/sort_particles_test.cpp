@@ -10,6 +10,8 @@
 #include <random>
 #include <set>
 
+#include "tests/support/threads_restored.h"
+
 namespace bake {
 namespace {
 
@@ -155,7 +157,7 @@ TYPED_TEST(Ordering, LeavesOutWhomItIsToldToLeaveOut) {
 
 TYPED_TEST(Ordering, IsTheSameForAnyNumberOfThreads) {
   const auto from = this->drifted(6, 0);
-  const int threads = omp_get_max_threads();
+  const ThreadsRestored restored;
   ParticleStore<TypeParam> one = from;
   omp_set_num_threads(1);
   sort_particles<TypeParam>(one, nullptr, this->geometry, nullptr);
@@ -166,7 +168,6 @@ TYPED_TEST(Ordering, IsTheSameForAnyNumberOfThreads) {
     ASSERT_EQ(one.data.size(), other.data.size());
     EXPECT_EQ(std::memcmp(one.data.data(), other.data.data(), one.data.size() * sizeof(TypeParam)), 0) << n << " threads";
   }
-  omp_set_num_threads(threads);
 }
 
 /// So many that they are not written all at once, by particles that come from the blocks around.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/conservation/dough.h"
+#include "tests/support/threads_restored.h"
 
 namespace bake {
 namespace {
@@ -31,14 +32,13 @@ TEST(TheSurfaceOfASphere, IsMeasuredWithinAHundredthFromSixCellsOn) {
 TEST(TheSurfaceOfASphere, IsMeasuredWithinAFewPercentAtThreeCells) { EXPECT_NEAR(sphere_error(3, "double"), 0, 0.07); }
 
 TEST(TheSurface, IsTheSameForAnyNumberOfThreads) {
-  const int threads = omp_get_max_threads();
+  const ThreadsRestored restored;
   omp_set_num_threads(1);
   const double one = sphere_error(4, "single");
   for (const int n : {2, 3}) {
     omp_set_num_threads(n);
     EXPECT_EQ(sphere_error(4, "single"), one) << n;
   }
-  omp_set_num_threads(threads);
 }
 
 // Faces of the domain are mirrors. Rounding of 8 of the 12 edges would take 0.6 * 8 side dx / (5 side^2) = 6 % of the area at 16 cells.

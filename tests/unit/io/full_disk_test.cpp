@@ -16,6 +16,7 @@
 #include "solver/io/checkpoint.h"
 #include "solver/io/frames.h"
 #include "solver/io/ledger_file.h"
+#include "tests/support/threads_restored.h"
 #include "tests/unit/io/files.h"
 
 namespace bake {
@@ -93,11 +94,8 @@ class FullDisk : public testing::TestWithParam<Case> {
     GetParam().write(file, 20000);  // and it goes on when there is room again
     EXPECT_NE(contents(file), old);
   }
-  ~FullDisk() override { omp_set_num_threads(threads_before_); }
   const TemporaryFolder scratch_;
-
- private:
-  const int threads_before_ = omp_get_max_threads();
+  const ThreadsRestored restored_;
 };
 
 TEST_P(FullDisk, LeavesTheOldFileAndNothingHalfWritten) {

@@ -13,6 +13,7 @@
 #include <random>
 
 #include "solver/scene/scene.h"
+#include "tests/support/threads_restored.h"
 #include "tests/unit/io/files.h"
 
 namespace bake {
@@ -168,13 +169,12 @@ class Pack : public testing::Test {
     for (const auto& numbers : numbers_) arrays_.push_back(array_view<float>(numbers));
     omp_set_num_threads(3);
   }
-  ~Pack() override { omp_set_num_threads(threads_before_); }
 
   std::vector<ArrayView> arrays_;
 
  private:
   std::vector<std::vector<float>> numbers_;
-  const int threads_before_ = omp_get_max_threads();
+  const ThreadsRestored restored_;
 };
 
 TEST_F(Pack, GivesEachArrayInOrderAndOneAtATime) {
