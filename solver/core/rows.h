@@ -41,11 +41,13 @@ struct Row {
     for (int c = 0; c < k_chunks; ++c) r.at[c] = at[c] * s;
     return r;
   }
-  /// *this + n a for a small whole number n, computed by sums, which leave the multipliers free.
-  BAKE_INLINE Row plus(int n, const Row& a) const {
+  /// *this + n a for a small whole number n, computed by sums, which leave the multipliers free. `a` may be a shorter row.
+  template <int S>
+  BAKE_INLINE Row plus(int n, const Row<Real, S>& a) const {
+    static_assert(Row<Real, S>::k_chunk == k_chunk && S <= R);
     Row r = *this;
 #pragma GCC unroll 8
-    for (int c = 0; c < k_chunks; ++c)
+    for (int c = 0; c < a.k_chunks; ++c)
       r.at[c] = n == 0 ? r.at[c] : n == -1 ? r.at[c] - a.at[c] : n == 1 ? r.at[c] + a.at[c] : r.at[c] + Real(n) * a.at[c];
     return r;
   }

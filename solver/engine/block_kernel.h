@@ -21,7 +21,7 @@ struct Migrant {
   std::int32_t tile, lane;
   bool retired;            ///< left through an open face
   bool broken;             ///< a number of its state is not finite
-  std::vector<Real> rows;  ///< values and coefficients of the node offsets about the particle, four rows
+  std::vector<Real> rows;  ///< what it scatters, particle_rows() numbers
 };
 
 /// What expels particles, and books what it gave them.
@@ -87,8 +87,9 @@ class BlockKernel {
   virtual int gathered_row() const = 0;   ///< numbers per node of the grid that the gather reads
   /// Gather, physics and scatter of all particles of home block `index`.
   virtual void advance(const BlockWork<Real>&, int index, Scratch<Real>&, BlockResult<Real>&, bool totals) const = 0;
-  /// The values and node coefficients of W particles at `x` (block-relative, in node distances), turned into one row set each:
-  /// `rows` receives W times 4 * scattered_row() numbers.
+  virtual int particle_rows() const = 0;  ///< numbers that a particle scatters from: its values, and their slopes along each axis
+  /// The values and node coefficients of W particles at `x` (block-relative, in node distances), turned into rows: `rows` receives W times
+  /// particle_rows() numbers.
   virtual void to_rows(const Physics<Real>&, const Lanes<Real> (&x)[3], Lanes<Real>* scattered, Real* rows) const = 0;
   /// Adds one particle's rows to the grid around home block `index`: new particles, and those that left their block.
   virtual void scatter_rows(const BlockWork<Real>&, int index, const Real (&x)[3], const Real* rows) const = 0;

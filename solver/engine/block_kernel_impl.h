@@ -40,6 +40,7 @@ class BlockKernelOf final : public BlockKernel<Real> {
  public:
   int scattered_row() const override { return RS; }
   int gathered_row() const override { return RG; }
+  int particle_rows() const override { return ToTile::k_particle; }
 
   void advance(const BlockWork<Real>& work, int index, Scratch<Real>& scratch, BlockResult<Real>& result, bool totals) const override {
     HomeBlock& block = work.store->blocks[static_cast<std::size_t>(index)];
@@ -85,14 +86,14 @@ class BlockKernelOf final : public BlockKernel<Real> {
       const LaneMask<Real> broken = not_finite(columns, work.physics->column_count);
       const LaneMask<Real> outside = stencil.outside() | gone | broken;
       touched.add(stencil, outside);
-      alignas(64) Real rows[W * 4 * RS];
+      alignas(64) Real rows[W * ToTile::k_particle];
       ToTile::coefficients_to_rows(stencil, scattered, work.physics->moment_channels, rows);
       ToTile::particles(stencil, rows, outside, count, scratch.scatter_tile.data());
       if (__builtin_expect(any(outside), 0))
         for (int l = 0; l < count; ++l)
           if (outside[l])
-            result.migrants.push_back(
-                {index, t, l, gone[l] != 0, broken[l] != 0, std::vector<Real>(rows + l * 4 * RS, rows + (l + 1) * 4 * RS)});
+            result.migrants.push_back({index, t, l, gone[l] != 0, broken[l] != 0,
+                                       std::vector<Real>(rows + l * ToTile::k_particle, rows + (l + 1) * ToTile::k_particle)});
     }
     touched.write(block);
     flush_tile<RS>(work.scattered, block, scratch.scatter_tile.data());
@@ -107,14 +108,17 @@ class BlockKernelOf final : public BlockKernel<Real> {
     const HomeBlock& block = work.store->blocks[static_cast<std::size_t>(index)];
     const V lanes_x[3] = {lanes<Real>(x[0]), lanes<Real>(x[1]), lanes<Real>(x[2])};
     const S s(lanes_x);
+    constexpr int slopes = ToTile::k_slopes;
     for (int j = 0; j < N; ++j)
       for (int k = 0; k < N; ++k)
         for (int l = 0; l < N; ++l) {
           const int at[3] = {static_cast<int>(s.base[0][0]) + j, static_cast<int>(s.base[1][0]) + k, static_cast<int>(s.base[2][0]) + l};
           const Real w = s.weight[0][j][0] * s.weight[1][k][0] * s.weight[2][l][0];
           Real* node = work.scattered + grid_row(block, at[0], at[1], at[2]) * RS;
-          for (int c = 0; c < RS; ++c)
-            node[c] += w * (rows[c] + Real(j - 1) * rows[RS + c] + Real(k - 1) * rows[2 * RS + c] + Real(l - 1) * rows[3 * RS + c]);
+          const Real *x_slopes = rows + RS, *y_slopes = x_slopes + slopes, *z_slopes = y_slopes + slopes;
+          for (int c = 0; c < slopes; ++c)
+            node[c] += w * (rows[c] + Real(j - 1) * x_slopes[c] + Real(k - 1) * y_slopes[c] + Real(l - 1) * z_slopes[c]);
+          for (int c = slopes; c < RS; ++c) node[c] += w * rows[c];
         }
   }
 

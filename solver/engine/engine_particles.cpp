@@ -96,11 +96,11 @@ void Engine<Real>::add(const std::vector<NewParticle>& particles, bool poured) {
 template <class Real>
 void Engine<Real>::scatter_new(const ParticleStore<Real>& fresh, const std::vector<Real>& start, bool poured) {
   constexpr int W = k_width<Real>;
-  const std::size_t rows_per_particle = 4 * static_cast<std::size_t>(scattered_row());
+  const auto rows_per_particle = static_cast<std::size_t>(kernel_->particle_rows());
   const Step<Real> step = current_step();
   BlockWork<Real> w = work(step);
   AlignedBuffer<Real> scattered, rows, columns;
-  scattered.resize_and_forget(rows_per_particle * W);
+  scattered.resize_and_forget(4 * static_cast<std::size_t>(scattered_row()) * W);
   rows.resize_and_forget(rows_per_particle * W);
   columns.resize_and_forget(fresh.tile_size());
   std::vector<BlockResult<Real>> results(fresh.blocks.size());

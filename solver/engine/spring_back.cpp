@@ -35,7 +35,7 @@ class Block {
       V stiffness;
       physics.find_springs(columns, material, coefficients[3], stiffness);
       for (int d = 0; d < 3; ++d) coefficients[(1 + d) * k_row + d] = per_area * stiffness;
-      alignas(64) Real rows[W * 4 * k_row];
+      alignas(64) Real rows[W * ToTile::k_particle];
       ToTile::coefficients_to_rows(stencil, coefficients, 3, rows);
       ToTile::particles(stencil, rows, LaneMask<Real>{}, count, tile);
     });

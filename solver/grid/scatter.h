@@ -3,6 +3,8 @@
 // w_j w_k w_l (a' + j B_x + k B_y + l B_z), where a' is the value at the reference node and B holds the coefficients of the node offsets.
 #pragma once
 
+#include <algorithm>
+
 #include "solver/core/rows.h"
 #include "solver/grid/tile.h"
 
@@ -11,7 +13,8 @@ namespace bake {
 /// The widest rows that are compiled: how many numbers they have, and how many of these may have coefficients of the node offsets.
 inline constexpr int k_most_channels = 32, k_most_moments = 8;
 
-/// Rows of RS numbers.
+/// Rows of RS numbers. A particle has one of values, and one of slopes for each axis: as many numbers as there can be moments, or fill a
+/// register.
 template <class Real, KernelOrder order, int RS>
 class Scatter {
   using V = Lanes<Real>;
@@ -20,25 +23,24 @@ class Scatter {
   static constexpr int N = Kernel<order>::support;
 
  public:
-  /// Turns lanes of coefficients about the particles into one set of four rows per particle, about the reference node.
+  static constexpr int k_slopes = std::min(RS, std::max(k_most_moments, W));
+  static constexpr int k_particle = RS + 3 * k_slopes;  ///< numbers of a particle
+
+  /// Turns lanes of coefficients about the particles, four rows with RS lanes each, into rows of W particles about the reference node.
   BAKE_INLINE static void coefficients_to_rows(const S& s, V* coefficients, int moments, Real* rows) {
     for (int c = 0; c < moments; ++c)
       for (int axis = 0; axis < 3; ++axis) coefficients[c] -= coefficients[(1 + axis) * RS + c] * s.offset[axis];
-    lanes_to_rows<RS>(coefficients, rows, 4 * RS);
-    for (int axis = 1; axis < 4; ++axis) {
-      V slopes[RS];
-      for (int c = 0; c < RS; ++c) slopes[c] = c < k_most_moments ? coefficients[axis * RS + c] : V{};  // spares shuffles
-      lanes_to_rows<RS>(slopes, rows + axis * RS, 4 * RS);
+    lanes_to_rows<RS>(coefficients, rows, k_particle);
+    for (int axis = 0; axis < 3; ++axis) {
+      V slopes[k_slopes];
+      for (int c = 0; c < k_slopes; ++c) slopes[c] = c < k_most_moments ? coefficients[(1 + axis) * RS + c] : V{};  // spares shuffles
+      lanes_to_rows<k_slopes>(slopes, rows + RS + axis * k_slopes, k_particle);
     }
   }
 
-  /// Adds the particles below `count` that are not `outside` to the tile. Particles are sorted, so neighbours often share a cell: the sums
-  /// of a cell's nodes stay in registers until a particle of another cell comes. This saves stores, which limit the scatter.
+  /// Adds the particles below `count` that are not `outside` to the tile.
   BAKE_INLINE static void particles(const S& stencil, const Real* rows, LaneMask<Real> outside, int count, Real* tile) {
     const NodeWeights weights(stencil);
-    constexpr int k_sums = k_register_bytes == 64 ? 27 : 9;  // as many as the registers hold
-    constexpr int k_line = N * Row<Real, RS>::k_chunks;
-    constexpr int J = N * N * k_line <= k_sums ? N : 1, K = N * k_line <= k_sums ? N : 1;
     int begin = 0;
     while (begin < count) {
       if (outside[begin]) {
@@ -48,7 +50,10 @@ class Scatter {
       int end = count;
       if (__builtin_expect(any(outside), 0))
         for (end = begin + 1; end < count && !outside[end];) ++end;
-      all_lines<J, K>(weights, rows, begin, end, tile, std::make_integer_sequence<int, (N / J) * (N / K)>{});
+      if constexpr (k_register_bytes == 64)
+        by_cells(weights, rows, begin, end, tile);
+      else
+        one_by_one(weights, rows, begin, end, tile);
       begin = end;
     }
   }
@@ -69,47 +74,80 @@ class Scatter {
     }
   };
 
+  /// Calls visit(j, k, l, what particle p gives to that node) for the lines of nodes along z from j_0 to j_0 + J - 1 in x and from k_0 to
+  /// k_0 + K - 1 in y.
+  template <int j_0, int J, int k_0, int K, class Visit>
+  BAKE_INLINE static void for_each_node(const Real* rows, int p, Visit visit) {
+    using R = Row<Real, RS>;
+    using Slopes = Row<Real, k_slopes>;
+    const Real *mine = rows + p * k_particle, *slopes = mine + RS;
+#pragma GCC unroll 4
+    for (int j = j_0; j < j_0 + J; ++j) {
+      const R at_j = R::load(mine).plus(j - 1, Slopes::load(slopes));
+#pragma GCC unroll 4
+      for (int k = k_0; k < k_0 + K; ++k) {
+        const R at_jk = at_j.plus(k - 1, Slopes::load(slopes + k_slopes));
+#pragma GCC unroll 4
+        for (int l = 0; l < N; ++l) visit(j, k, l, at_jk.plus(l - 1, Slopes::load(slopes + 2 * k_slopes)));
+      }
+    }
+  }
+  static constexpr int from_first(int j, int k, int l) { return (j * k_tile_plane + k * k_tile_side + l) * RS; }
+
+  BAKE_INLINE static void one_by_one(const NodeWeights& weights, const Real* rows, int begin, int end, Real* tile) {
+    using R = Row<Real, RS>;
+    for (int p = begin; p < end; ++p) {
+      Real* first = tile + weights.node[p];
+      for_each_node<0, N, 0, N>(
+          rows, p, [&](int j, int k, int l, const R& given) __attribute__((always_inline)) {
+            Real* node = first + from_first(j, k, l);
+            R sum = R::load(node);
+            sum.add(given, weights.w[j][k][l][p]);
+            sum.store(node);
+          });
+    }
+  }
+
+  /// Particles are sorted, so neighbours often share a cell: the sums of a cell's nodes, as many as the registers hold, stay there until a
+  /// particle of another cell comes, which saves stores. With 16 registers they are too few: stores cost less than wrong guesses of when
+  /// another cell begins, one for each row of nodes (measured: 0.8 of the time of gather, law and scatter without them).
+  BAKE_INLINE static void by_cells(const NodeWeights& weights, const Real* rows, int begin, int end, Real* tile) {
+    constexpr int k_sums = 27, k_line = N * Row<Real, RS>::k_chunks;
+    constexpr int J = N * N * k_line <= k_sums ? N : 1, K = N * k_line <= k_sums ? N : 1;
+    all_lines<J, K>(weights, rows, begin, end, tile, std::make_integer_sequence<int, (N / J) * (N / K)>{});
+  }
   template <int J, int K, int... I>
   BAKE_INLINE static void all_lines(const NodeWeights& weights, const Real* rows, int begin, int end, Real* tile,
                                     std::integer_sequence<int, I...>) {
     (lines<I / (N / K) * J, J, I % (N / K) * K, K>(weights, rows, begin, end, tile), ...);
   }
-  /// Scatters to a part of the stencil: its lines of nodes along z from j_0 to j_0 + J - 1 in x and from k_0 to k_0 + K - 1 in y.
   template <int j_0, int J, int k_0, int K>
   BAKE_INLINE static void lines(const NodeWeights& weights, const Real* rows, int begin, int end, Real* tile) {
     using R = Row<Real, RS>;
     R sum[J][K][N];
-    const auto for_each_node = [&](Real * first, auto visit) __attribute__((always_inline)) {
+    const auto for_each_sum = [&](Real * first, auto visit) __attribute__((always_inline)) {
 #pragma GCC unroll 4
       for (int j = 0; j < J; ++j)
 #pragma GCC unroll 4
         for (int k = 0; k < K; ++k)
 #pragma GCC unroll 4
-          for (int l = 0; l < N; ++l) visit(sum[j][k][l], first + ((j_0 + j) * k_tile_plane + (k_0 + k) * k_tile_side + l) * RS);
+          for (int l = 0; l < N; ++l) visit(sum[j][k][l], first + from_first(j_0 + j, k_0 + k, l));
     };
-    Real* nodes = tile + weights.node[begin];
-    for_each_node(
-        nodes, [](R & s, const Real* node) __attribute__((always_inline)) { s = R::load(node); });
+    const auto load = [](R & s, const Real* node) __attribute__((always_inline)) { s = R::load(node); };
+    const auto store = [](const R& s, Real* node) __attribute__((always_inline)) { s.store(node); };
+    Real* first = tile + weights.node[begin];
+    for_each_sum(first, load);
     for (int p = begin;; ++p) {
-      const Real* mine = rows + p * 4 * RS;
-#pragma GCC unroll 4
-      for (int j = 0; j < J; ++j) {
-        const R at_j = R::load(mine).plus(j_0 + j - 1, R::load(mine + RS));
-#pragma GCC unroll 4
-        for (int k = 0; k < K; ++k) {
-          const R at_jk = at_j.plus(k_0 + k - 1, R::load(mine + 2 * RS));
-#pragma GCC unroll 4
-          for (int l = 0; l < N; ++l) sum[j][k][l].add(at_jk.plus(l - 1, R::load(mine + 3 * RS)), weights.w[j_0 + j][k_0 + k][l][p]);
-        }
-      }
+      for_each_node<j_0, J, k_0, K>(
+          rows, p, [&](int j, int k, int l, const R& given) __attribute__((always_inline)) {
+            sum[j - j_0][k - k_0][l].add(given, weights.w[j][k][l][p]);
+          });
       const bool last = p + 1 == end;
       if (!last && weights.node[p + 1] == weights.node[p]) continue;
-      for_each_node(
-          nodes, [](const R& s, Real* node) __attribute__((always_inline)) { s.store(node); });
+      for_each_sum(first, store);
       if (last) break;
-      nodes = tile + weights.node[p + 1];
-      for_each_node(
-          nodes, [](R & s, const Real* node) __attribute__((always_inline)) { s = R::load(node); });
+      first = tile + weights.node[p + 1];
+      for_each_sum(first, load);
     }
   }
 };
