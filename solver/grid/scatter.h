@@ -38,7 +38,7 @@ class Scatter {
     }
   }
 
-  /// Adds the particles below `count` that are not `outside` to the tile.
+  /// Adds the particles below `count` that are not `outside` to the tile. Particles are sorted, so neighbours often share a cell.
   BAKE_INLINE static void particles(const S& stencil, const Real* rows, LaneMask<Real> outside, int count, Real* tile) {
     const NodeWeights weights(stencil);
     int begin = 0;
@@ -50,10 +50,10 @@ class Scatter {
       int end = count;
       if (__builtin_expect(any(outside), 0))
         for (end = begin + 1; end < count && !outside[end];) ++end;
-      if constexpr (k_register_bytes == 64)
-        by_cells(weights, rows, begin, end, tile);
+      if (k_lines_y > 1 || weights.share_a_cell(begin, end))
+        by_cells(weights, rows, begin, end, tile, std::make_integer_sequence<int, (N / k_lines_x) * (N / k_lines_y)>{});
       else
-        one_by_one(weights, rows, begin, end, tile);
+        for (int p = begin; p < end; ++p) one_by_one(weights, rows, p, tile + weights.node[p]);
       begin = end;
     }
   }
@@ -71,6 +71,12 @@ class Scatter {
           for (int l = 0; l < N; ++l) *reinterpret_cast<V*>(w[j][k][l]) = w_jk * s.weight[2][l];
         }
       first_nodes(s, RS, node);
+    }
+    /// Are the particles from begin to end, at least one, in one cell?
+    BAKE_INLINE bool share_a_cell(int begin, int end) const {
+      int others = 0;
+      for (int p = begin + 1; p < end; ++p) others |= node[p] ^ node[begin];
+      return others == 0;
     }
   };
 
@@ -92,51 +98,48 @@ class Scatter {
       }
     }
   }
+  static constexpr int k_sums = k_register_bytes == 64 ? 27 : 9;  ///< as many as the registers hold
+  static constexpr int k_line = N * Row<Real, RS>::k_chunks;      ///< those of a line
+  static constexpr int k_lines_x = N * N * k_line <= k_sums ? N : 1, k_lines_y = N * k_line <= k_sums ? N : 1;
   static constexpr int from_first(int j, int k, int l) { return (j * k_tile_plane + k * k_tile_side + l) * RS; }
 
-  BAKE_INLINE static void one_by_one(const NodeWeights& weights, const Real* rows, int begin, int end, Real* tile) {
+  /// Where the registers hold the sums of a single line, particles that change cells go one by one: their stores cost less than wrong
+  /// guesses, line by line, of where the next cell begins (gather and scatter of a loaf that bakes, 16 registers of 8: 0.85 of the time).
+  BAKE_INLINE static void one_by_one(const NodeWeights& weights, const Real* rows, int p, Real* nodes) {
     using R = Row<Real, RS>;
-    for (int p = begin; p < end; ++p) {
-      Real* first = tile + weights.node[p];
-      for_each_node<0, N, 0, N>(
-          rows, p, [&](int j, int k, int l, const R& given) __attribute__((always_inline)) {
-            Real* node = first + from_first(j, k, l);
-            R sum = R::load(node);
-            sum.add(given, weights.w[j][k][l][p]);
-            sum.store(node);
-          });
-    }
+    for_each_node<0, N, 0, N>(
+        rows, p, [&](int j, int k, int l, const R& given) __attribute__((always_inline)) {
+          Real* node = nodes + from_first(j, k, l);
+          R sum = R::load(node);
+          sum.add(given, weights.w[j][k][l][p]);
+          sum.store(node);
+        });
   }
 
-  /// Particles are sorted, so neighbours often share a cell: the sums of a cell's nodes, as many as the registers hold, stay there until a
-  /// particle of another cell comes, which saves stores. With 16 registers they are too few: stores cost less than wrong guesses of when
-  /// another cell begins, one for each row of nodes (measured: 0.8 of the time of gather, law and scatter without them).
-  BAKE_INLINE static void by_cells(const NodeWeights& weights, const Real* rows, int begin, int end, Real* tile) {
-    constexpr int k_sums = 27, k_line = N * Row<Real, RS>::k_chunks;
-    constexpr int J = N * N * k_line <= k_sums ? N : 1, K = N * k_line <= k_sums ? N : 1;
-    all_lines<J, K>(weights, rows, begin, end, tile, std::make_integer_sequence<int, (N / J) * (N / K)>{});
-  }
-  template <int J, int K, int... I>
-  BAKE_INLINE static void all_lines(const NodeWeights& weights, const Real* rows, int begin, int end, Real* tile,
-                                    std::integer_sequence<int, I...>) {
+  /// The sums of a cell's nodes, of as many lines as the registers hold, stay there until a particle of another cell comes. This saves
+  /// stores, which limit the scatter.
+  template <int... I>
+  BAKE_INLINE static void by_cells(const NodeWeights& weights, const Real* rows, int begin, int end, Real* tile,
+                                   std::integer_sequence<int, I...>) {
+    constexpr int J = k_lines_x, K = k_lines_y;
     (lines<I / (N / K) * J, J, I % (N / K) * K, K>(weights, rows, begin, end, tile), ...);
   }
   template <int j_0, int J, int k_0, int K>
   BAKE_INLINE static void lines(const NodeWeights& weights, const Real* rows, int begin, int end, Real* tile) {
     using R = Row<Real, RS>;
     R sum[J][K][N];
-    const auto for_each_sum = [&](Real * first, auto visit) __attribute__((always_inline)) {
+    const auto for_each_sum = [&](Real * nodes, auto visit) __attribute__((always_inline)) {
 #pragma GCC unroll 4
       for (int j = 0; j < J; ++j)
 #pragma GCC unroll 4
         for (int k = 0; k < K; ++k)
 #pragma GCC unroll 4
-          for (int l = 0; l < N; ++l) visit(sum[j][k][l], first + from_first(j_0 + j, k_0 + k, l));
+          for (int l = 0; l < N; ++l) visit(sum[j][k][l], nodes + from_first(j_0 + j, k_0 + k, l));
     };
     const auto load = [](R & s, const Real* node) __attribute__((always_inline)) { s = R::load(node); };
     const auto store = [](const R& s, Real* node) __attribute__((always_inline)) { s.store(node); };
-    Real* first = tile + weights.node[begin];
-    for_each_sum(first, load);
+    Real* nodes = tile + weights.node[begin];
+    for_each_sum(nodes, load);
     for (int p = begin;; ++p) {
       for_each_node<j_0, J, k_0, K>(
           rows, p, [&](int j, int k, int l, const R& given) __attribute__((always_inline)) {
@@ -144,10 +147,10 @@ class Scatter {
           });
       const bool last = p + 1 == end;
       if (!last && weights.node[p + 1] == weights.node[p]) continue;
-      for_each_sum(first, store);
+      for_each_sum(nodes, store);
       if (last) break;
-      first = tile + weights.node[p + 1];
-      for_each_sum(first, load);
+      nodes = tile + weights.node[p + 1];
+      for_each_sum(nodes, load);
     }
   }
 };
