@@ -90,11 +90,18 @@ Lanes<double> atan(Lanes<double> a);
 /// Is any lane true?
 template <class Mask>
 BAKE_INLINE bool any(Mask mask) {
+  // the compiler's own functions, not the intrinsics: the header of those takes half a second to compile
+  constexpr bool narrow = sizeof(mask[0]) == 4;
 #if defined(__AVX512DQ__)
-  // the compiler's own function, not the intrinsic: the header of those takes half a second to compile
-  if constexpr (sizeof(mask[0]) == 4) return __builtin_ia32_cvtd2mask512(mask) != 0;
   typedef long long Whole __attribute__((vector_size(64)));
+  if constexpr (narrow) return __builtin_ia32_cvtd2mask512(mask) != 0;
   return __builtin_ia32_cvtq2mask512(reinterpret_cast<Whole>(mask)) != 0;
+#elif defined(__AVX__) && !defined(__AVX512F__)
+  if constexpr (narrow) return __builtin_ia32_movmskps256(reinterpret_cast<Lanes<float>>(mask)) != 0;
+  return __builtin_ia32_movmskpd256(reinterpret_cast<Lanes<double>>(mask)) != 0;
+#elif defined(__SSE2__) && !defined(__AVX512F__)
+  if constexpr (narrow) return __builtin_ia32_movmskps(reinterpret_cast<Lanes<float>>(mask)) != 0;
+  return __builtin_ia32_movmskpd(reinterpret_cast<Lanes<double>>(mask)) != 0;
 #else
   auto found = mask[0];
   for (unsigned l = 1; l < sizeof(mask) / sizeof(mask[0]); ++l) found |= mask[l];
