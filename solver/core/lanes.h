@@ -91,17 +91,21 @@ Lanes<double> atan(Lanes<double> a);
 template <class Mask>
 BAKE_INLINE bool any(Mask mask) {
   // the compiler's own functions, not the intrinsics: the header of those takes half a second to compile
-  constexpr bool narrow = sizeof(mask[0]) == 4;
+  [[maybe_unused]] constexpr bool narrow = sizeof(mask[0]) == 4;
 #if defined(__AVX512DQ__)
   typedef long long Whole __attribute__((vector_size(64)));
   if constexpr (narrow) return __builtin_ia32_cvtd2mask512(mask) != 0;
   return __builtin_ia32_cvtq2mask512(reinterpret_cast<Whole>(mask)) != 0;
-#elif defined(__AVX__) && !defined(__AVX512F__)
-  if constexpr (narrow) return __builtin_ia32_movmskps256(reinterpret_cast<Lanes<float>>(mask)) != 0;
-  return __builtin_ia32_movmskpd256(reinterpret_cast<Lanes<double>>(mask)) != 0;
 #elif defined(__SSE2__) && !defined(__AVX512F__)
-  if constexpr (narrow) return __builtin_ia32_movmskps(reinterpret_cast<Lanes<float>>(mask)) != 0;
-  return __builtin_ia32_movmskpd(reinterpret_cast<Lanes<double>>(mask)) != 0;
+  using Singles = Lanes<float>;
+  using Doubles = Lanes<double>;
+#if defined(__AVX__)
+  if constexpr (narrow) return __builtin_ia32_movmskps256(reinterpret_cast<Singles>(mask)) != 0;
+  return __builtin_ia32_movmskpd256(reinterpret_cast<Doubles>(mask)) != 0;
+#else
+  if constexpr (narrow) return __builtin_ia32_movmskps(reinterpret_cast<Singles>(mask)) != 0;
+  return __builtin_ia32_movmskpd(reinterpret_cast<Doubles>(mask)) != 0;
+#endif
 #else
   auto found = mask[0];
   for (unsigned l = 1; l < sizeof(mask) / sizeof(mask[0]); ++l) found |= mask[l];
