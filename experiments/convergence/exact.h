@@ -35,6 +35,9 @@ double share(const Snapshot& now, double speed);
 namespace ball_in_air {
 inline constexpr Point centre{0.011, -0.017, 0.023};  ///< on no plane of the grid
 StudyScene setting(double cells_in_radius, double conductivity_W_per_mK);
+/// That of a ball of 1 W/(m K), where Bi = 1, at the distance r [m] from its centre after `time` [s]: theta = sum C exp(-z^2 t) sin(z r) /
+/// (z r) over the roots of 1 - z cot z = 1, z = (n - 1/2) pi, with C = 4 (sin z - z cos z) / (2 z - sin 2 z).
+double temperature(double r, double time);
 }  // namespace ball_in_air
 
 }  // namespace bake::studies

@@ -4,6 +4,7 @@
 #include <omp.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "experiments/convergence/cases.h"
 #include "experiments/convergence/exact.h"
@@ -20,6 +21,15 @@ StudyScene ball_in_air::setting(double cells_in_radius, double conductivity_W_pe
   setting.tables = "[oven]\ntemperature_C = 0\nheat_transfer_coefficient_W_per_m2K = 1\n";
   setting.shape = fmt::format("sphere = {{ centre_m = [{}, {}, {}], radius_m = 1 }}", centre[0], centre[1], centre[2]);
   return setting;
+}
+
+double ball_in_air::temperature(double r, double time) {
+  double sum = 0;
+  for (int n = 1; n < 30; ++n) {
+    const double z = (n - 0.5) * std::numbers::pi;
+    sum += 4 * (std::sin(z) - z * std::cos(z)) / (2 * z - std::sin(2 * z)) * std::exp(-z * z * time) * std::sin(z * r) / (z * r);
+  }
+  return sum;
 }
 
 std::vector<Errors> lumped_sphere(bool quick) {

@@ -104,7 +104,7 @@ class Scatter {
   static constexpr int from_first(int j, int k, int l) { return (j * k_tile_plane + k * k_tile_side + l) * RS; }
 
   /// Where the registers hold the sums of a single line, particles that change cells go one by one: their stores cost less than wrong
-  /// guesses, line by line, of where the next cell begins (gather and scatter of a loaf that bakes, 16 registers of 8: 0.85 of the time).
+  /// guesses, line by line, of where the next cell begins (gather and scatter of a cookie that bakes, 16 registers of 8: 0.85 of the time).
   BAKE_INLINE static void one_by_one(const NodeWeights& weights, const Real* rows, int p, Real* nodes) {
     using R = Row<Real, RS>;
     for_each_node<0, N, 0, N>(
