@@ -43,7 +43,7 @@ struct BlockWork {
   const Real* gathered = nullptr;  ///< the grid that the gather reads: rows of gathered_row() numbers
   Real* scattered = nullptr;       ///< the grid that the scatter adds to: rows of scattered_row() numbers
   Step<Real> step;
-  Real* sampled = nullptr;  ///< if not null: [tile][Physics::sampled()][W]
+  Real* sampled = nullptr;  ///< if not null: [identity][Physics::sampled()]
   const Contacts* contacts = nullptr;
   Given* given = nullptr;  ///< if not null: [home block][givers], what solids give the particles that they expel
   std::size_t givers = 0;

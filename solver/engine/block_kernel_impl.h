@@ -76,8 +76,10 @@ class BlockKernelOf final : public BlockKernel<Real> {
       V x[3];
       load_position(columns, x);
       FromTile::particles(scratch.gather_tile.data(), S(x), 1 / work.step.dx, gathered, prefetch_next_tile);
-      V* sampled = work.sampled ? reinterpret_cast<V*>(work.sampled) + at * static_cast<std::size_t>(work.physics->sampled()) : nullptr;
-      work.physics->advance(columns, work.store->tiles[at].material, gathered, RG, scattered, RS, sampled, work.step, report);
+      V sampled[9];  // Physics::sampled() at most
+      work.physics->advance(columns, work.store->tiles[at].material, gathered, RG, scattered, RS, work.sampled ? sampled : nullptr,
+                            work.step, report);
+      if (work.sampled) keep_sample(work, columns, count, sampled);
 
       load_position(columns, x);
       const LaneMask<Real> gone = report.leaving(x);
@@ -166,6 +168,13 @@ class BlockKernelOf final : public BlockKernel<Real> {
   static void prepare(Scratch<Real>& scratch) {
     if (scratch.gather_tile.size() < k_tile_nodes * FromTile::k_row) scratch.gather_tile.resize_and_forget(k_tile_nodes * FromTile::k_row);
     if (scratch.scatter_tile.size() < k_tile_nodes * RS) scratch.scatter_tile.resize_and_forget(k_tile_nodes * RS);
+  }
+
+  static void keep_sample(const BlockWork<Real>& work, const V* columns, int count, const V* sampled) {
+    const auto numbers = static_cast<std::size_t>(work.physics->sampled());
+    for (int l = 0; l < count; ++l)
+      for (std::size_t i = 0; i < numbers; ++i)
+        work.sampled[static_cast<std::size_t>(identity_of<Real>(columns, l)) * numbers + i] = sampled[i][l];
   }
 
   BAKE_INLINE static void load_position(const V* columns, V (&x)[3]) {

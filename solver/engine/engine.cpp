@@ -167,7 +167,7 @@ void Engine<Real>::pass(double after, double next_dt, bool next_settles, bool sa
   BlockWork<Real> w = work(step);
   sampled_ = {};  // its memory, too: frames are rare
   if (sample && physics_->moves) {
-    sampled_.resize_and_forget(store_.tiles.size() * static_cast<std::size_t>(physics_->sampled() * k_width<Real>));
+    sampled_.resize(static_cast<std::size_t>(next_identity_) * static_cast<std::size_t>(physics_->sampled()));
     w.sampled = sampled_.data();
   }
   results_.resize(store_.blocks.size());
@@ -232,9 +232,10 @@ void Engine<Real>::sum_given(const std::vector<Given>& of_blocks) {
 
 template <class Real>
 std::size_t Engine<Real>::bytes() const {
-  return store_.data.bytes() + scattered_.bytes() + gathered_.bytes() + sampled_.bytes() + store_.tiles.capacity() * sizeof(Tile) +
-         store_.blocks.capacity() * sizeof(HomeBlock) + active_.slot_of.capacity() * sizeof(std::int32_t) + surface_.bytes() +
-         surface_volumes_.capacity() * sizeof(surface_volumes_[0]) + contacts_.bytes();
+  return store_.data.bytes() + scattered_.bytes() + gathered_.bytes() + sampled_.capacity() * sizeof(Real) +
+         store_.tiles.capacity() * sizeof(Tile) + store_.blocks.capacity() * sizeof(HomeBlock) +
+         active_.slot_of.capacity() * sizeof(std::int32_t) + surface_.bytes() + surface_volumes_.capacity() * sizeof(surface_volumes_[0]) +
+         contacts_.bytes();
 }
 
 template class Engine<float>;

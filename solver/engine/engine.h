@@ -66,8 +66,8 @@ class Engine {
   std::size_t particles() const { return particle_count_; }                  ///< without the vertices of skins
   const Sheets<Real>* skins() const { return skins_ ? &*skins_ : nullptr; }  ///< null without skins
   const ParticleStore<Real>& store() const { return store_; }
-  /// [tile][Physics::sampled()][W] right after a sample; empty where nothing moves.
-  const AlignedBuffer<Real>& sampled() const { return sampled_; }
+  /// [identity][Physics::sampled()] right after a sample; empty where nothing moves.
+  const std::vector<Real>& sampled() const { return sampled_; }
   const Physics<Real>& physics() const { return *physics_; }
   const GridGeometry& geometry() const { return geometry_; }
   int scattered_row() const { return kernel_->scattered_row(); }  ///< numbers per node of the scattered grid
@@ -127,9 +127,7 @@ class Engine {
   void migrate_particles(std::vector<Migrant<Real>>& migrants);
   void after_sorting();
   void remap_blocks(const ActiveBlocks& before);
-  using SampledNumbers = std::vector<std::array<Real, 9>>;
-  SampledNumbers take_sampled() const;
-  void put_sampled(SampledNumbers of, const std::vector<NewParticle>& added);
+  void sample_new(const std::vector<NewParticle>& added);
   void reduce(const std::vector<BlockResult<Real>>& results);
   void scatter_new(const ParticleStore<Real>& fresh, const std::vector<Real>& start, bool poured);
   double next_step(double from, double target, double next_target);
@@ -160,7 +158,7 @@ class Engine {
   AlignedBuffer<Real> gathered_;   ///< what the last grid update gave
   ActiveBlocks active_;
   BlockColours colours_;
-  AlignedBuffer<Real> sampled_;
+  std::vector<Real> sampled_;
   std::vector<Scratch<Real>> scratch_;
   std::vector<BlockResult<Real>> results_;  ///< of the home blocks in a pass
   std::vector<Budget> block_budgets_;       ///< of the grid's blocks in an update

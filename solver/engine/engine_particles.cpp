@@ -83,12 +83,11 @@ void Engine<Real>::add(const std::vector<NewParticle>& particles, bool poured) {
     }
   next_identity_ += static_cast<std::int64_t>(particles.size());
 
-  SampledNumbers sampled = take_sampled();
   sort_particles<Real>(store_, &fresh, geometry_, nullptr);
   const ActiveBlocks before = active_;
   after_sorting();
   remap_blocks(before);
-  put_sampled(std::move(sampled), particles);
+  sample_new(particles);
   scatter_new(fresh, start, poured);
   surface_travel_ = crumbs_travel_ = k_infinity;
 }
@@ -205,48 +204,24 @@ void Engine<Real>::migrate_particles(std::vector<Migrant<Real>>& migrants) {
   const auto leave_out = [&](std::int32_t tile, std::int32_t lane) {
     return std::binary_search(retired.begin(), retired.end(), std::pair(tile, lane));
   };
-  SampledNumbers sampled = take_sampled();
   sort_particles<Real>(store_, nullptr, geometry_, retired.empty() ? std::function<bool(std::int32_t, std::int32_t)>() : leave_out);
   const ActiveBlocks before = active_;
   after_sorting();
   remap_blocks(before);
-  put_sampled(std::move(sampled), {});
   BlockWork<Real> w = work(current_step());
   for (std::size_t i = 0; i < migrants.size(); ++i)
     if (!migrants[i].retired) kernel_->scatter_rows(w, home_of(homes[i].block), homes[i].x, migrants[i].rows.data());
   phases_.ordering += steady_seconds() - began;
 }
 
-/// What was sampled, by the particles' identities; none if nothing was.
+/// Beside what was sampled of the others, the velocity of those that have just been added; they have the last identities.
 template <class Real>
-typename Engine<Real>::SampledNumbers Engine<Real>::take_sampled() const {
-  constexpr int W = k_width<Real>;
-  if (sampled_.size() == 0) return {};
-  const auto numbers = static_cast<std::size_t>(physics_->sampled());
-  SampledNumbers of(static_cast<std::size_t>(next_identity_));
-  for (std::size_t t = 0; t < store_.tiles.size(); ++t)
-    for (int l = 0; l < store_.tiles[t].count; ++l)
-      for (std::size_t d = 0; d < numbers; ++d)
-        of[static_cast<std::size_t>(identity_of<Real>(store_.tile(t), l))][d] =
-            sampled_.data()[(t * numbers + d) * W + static_cast<std::size_t>(l)];
-  return of;
-}
-
-/// Into the present order; those just added, which have the last identities, have their velocity.
-template <class Real>
-void Engine<Real>::put_sampled(SampledNumbers of, const std::vector<NewParticle>& added) {
-  constexpr int W = k_width<Real>;
-  if (sampled_.size() == 0) return;
-  const auto numbers = static_cast<std::size_t>(physics_->sampled());
-  of.resize(static_cast<std::size_t>(next_identity_));
-  for (std::size_t i = 0; i < added.size(); ++i)
-    for (std::size_t d = 0; d < 3; ++d) of[of.size() - added.size() + i][d] = static_cast<Real>(added[i].velocity[d]);
-  sampled_.resize_and_forget(store_.tiles.size() * numbers * W);
-  for (std::size_t t = 0; t < store_.tiles.size(); ++t)
-    for (int l = 0; l < W; ++l)
-      for (std::size_t d = 0; d < numbers; ++d)
-        sampled_.data()[(t * numbers + d) * W + static_cast<std::size_t>(l)] =
-            of[static_cast<std::size_t>(identity_of<Real>(store_.tile(t), l))][d];
+void Engine<Real>::sample_new(const std::vector<NewParticle>& added) {
+  if (sampled_.empty()) return;
+  for (const NewParticle& p : added) {
+    sampled_.insert(sampled_.end(), p.velocity.begin(), p.velocity.end());
+    sampled_.resize(sampled_.size() + static_cast<std::size_t>(physics_->sampled()) - p.velocity.size());
+  }
 }
 
 #define BAKE_INSTANTIATE(Real)                                                                         \
@@ -257,8 +232,7 @@ void Engine<Real>::put_sampled(SampledNumbers of, const std::vector<NewParticle>
   template void Engine<Real>::after_sorting();                                                         \
   template void Engine<Real>::remap_blocks(const ActiveBlocks&);                                       \
   template void Engine<Real>::migrate_particles(std::vector<Migrant<Real>>&);                          \
-  template typename Engine<Real>::SampledNumbers Engine<Real>::take_sampled() const;                   \
-  template void Engine<Real>::put_sampled(SampledNumbers, const std::vector<NewParticle>&);
+  template void Engine<Real>::sample_new(const std::vector<NewParticle>&);
 BAKE_INSTANTIATE(float)
 BAKE_INSTANTIATE(double)
 #undef BAKE_INSTANTIATE

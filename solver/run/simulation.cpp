@@ -143,7 +143,7 @@ class SimulationOf final : public Simulation {
       s.id.push_back(identity_of<Real>(p.columns, p.lane));
       s.material.push_back(engine_.store().tiles[p.tile].material);
       s.position.push_back(position(p));
-      if (engine_.sampled().size() > 0) s.velocity.push_back(velocity(p));
+      if (!engine_.sampled().empty()) s.velocity.push_back(velocity(p));
     }
     for (const auto& c : engine_.physics().columns) {
       if (c.first == k_position_column || c.first == k_identity_column) continue;
@@ -208,7 +208,7 @@ class SimulationOf final : public Simulation {
       number.values.insert(number.values.end(), skins.meshes()[s].points.size(), static_cast<double>(s));
       first += skins.meshes()[s].points.size();
     }
-    if (engine_.sampled().size() > 0) mesh.fields.push_back({"velocity", "m/s", 3, skin_velocities(skins)});
+    if (!engine_.sampled().empty()) mesh.fields.push_back({"velocity", "m/s", 3, skin_velocities(skins)});
     mesh.fields.push_back(std::move(area));
     mesh.fields.push_back(std::move(curvature));
     mesh.fields.push_back(std::move(number));
@@ -308,7 +308,7 @@ class SimulationOf final : public Simulation {
                                  *material = engine_.store().tiles[p.tile].material;
                                })});
     });
-    const bool samples = engine_.sampled().size() > 0 || (particles() == 0 && engine_.physics().moves);
+    const bool samples = !engine_.sampled().empty() || (particles() == 0 && engine_.physics().moves);
     if (samples)
       makers.push_back([this, &rows](FrameData& frame) {
         frame.columns.push_back({"velocity", "m/s",
@@ -374,13 +374,13 @@ class SimulationOf final : public Simulation {
   }
   Vector3 velocity(const ParticleSlot& p) const {
     const Real* v = sampled(p);
-    return {double(v[0]), double(v[W]), double(v[2 * W])};
+    return {double(v[0]), double(v[1]), double(v[2])};
   }
   /// The Cauchy stress, ordered as ParaView does.
   std::array<double, 6> stress(const ParticleSlot& p) const {
     constexpr int k_place[6] = {0, 1, 2, k_component[0][1], k_component[1][2], k_component[0][2]};
     std::array<double, 6> s;
-    for (std::size_t c = 0; c < 6; ++c) s[c] = double(sampled(p)[(3 + k_place[c]) * W]);
+    for (std::size_t c = 0; c < 6; ++c) s[c] = double(sampled(p)[3 + k_place[c]]);
     return s;
   }
   static double von_mises(const std::array<double, 6>& s) {
@@ -388,7 +388,7 @@ class SimulationOf final : public Simulation {
     return std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3 * (s[3] * s[3] + s[4] * s[4] + s[5] * s[5]));
   }
   const Real* sampled(const ParticleSlot& p) const {
-    return engine_.sampled().data() + p.tile * static_cast<std::size_t>(engine_.physics().sampled() * W) + p.lane;
+    return engine_.sampled().data() + identity_of<Real>(p.columns, p.lane) * engine_.physics().sampled();
   }
 
   const Scene scene_;
