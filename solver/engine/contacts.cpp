@@ -129,15 +129,30 @@ bool Contacts::cover_near(const BlockIndex& block, double reach) const {
                      [&](const Wall& w) { return std::min(w.distance(low), w.distance(high)) <= reach + touching(); });
 }
 
-bool Contacts::near(const BlockIndex& block, double reach) const {
+/// As touching as for the block's nodes: the face may go through its last ones.
+bool Contacts::face_near(const BlockIndex& block) const {
   const Point low = geometry_.origin(block);
-  const double side = 3 * geometry_.dx();
-  for (const FaceOfDomain& f : faces_) {  // as touching as for the block's nodes: the face may go through its last ones
+  return std::any_of(faces_.begin(), faces_.end(), [&](const FaceOfDomain& f) {
     const double a = low[static_cast<std::size_t>(f.axis)];
-    if (f.sign > 0 ? a <= f.at + touching() : a + side >= f.at - touching()) return true;
+    return f.sign > 0 ? a <= f.at + touching() : a + 3 * geometry_.dx() >= f.at - touching();
+  });
+}
+
+bool Contacts::near(const BlockIndex& block, double reach) const {
+  return face_near(block) ||
+         std::any_of(present_.begin(), present_.end(), [&](const Present& p) { return reaches(p, block, reach + touching()); });
+}
+
+NodeBits Contacts::nodes_touched(const BlockIndex& block) const {
+  if (face_near(block)) return k_all_nodes;
+  NodeBits nodes = 0;
+  for (const Present& p : present_) {
+    if (p.stands)
+      nodes |= p.contact->survey.near(geometry_.linear(block));
+    else if (reaches(p, block, reach_beside_colliders()))
+      nodes = k_all_nodes;
   }
-  reach += touching();
-  return std::any_of(present_.begin(), present_.end(), [&](const Present& p) { return reaches(p, block, reach); });
+  return nodes;
 }
 
 bool Contacts::collider_near(const BlockIndex& block, double reach) const {
@@ -151,6 +166,7 @@ bool Contacts::expels_near(const BlockIndex& block, double reach) const {
 }
 
 bool Contacts::reaches(const Present& p, const BlockIndex& block, double reach) const {
+  if (p.stands && reach <= k_surveyed * geometry_.dx() && p.contact->survey.is_far(geometry_.linear(block))) return false;
   const Point low = geometry_.origin(block);
   const double side = 3 * geometry_.dx();
   for (std::size_t d = 0; d < 3; ++d)

@@ -65,6 +65,8 @@ class Contacts final : public Obstacles {
   bool expels() const { return expels_; }
   /// Does a collider lie within `reach` of the block?
   bool collider_near(const BlockIndex& block, double reach) const;
+  /// The nodes of a block whose velocity contact may change.
+  NodeBits nodes_touched(const BlockIndex& block) const;
   /// Does a collider that covers, or a face of the domain that passes heat, lie within `reach` of the block?
   bool cover_near(const BlockIndex& block, double reach) const;
   /// Is dough mirrored at that face of the domain (x_min, x_max, y_min, ...) when its surface is measured? Not where heat or all passes.
@@ -135,6 +137,7 @@ class Contacts final : public Obstacles {
   template <bool tells>
   Vector3 after_all(const Place& at, Vector3 v, const NodesAround* around, double mass, Given* given) const;
   bool reaches(const Present& present, const BlockIndex& block, double reach) const;
+  bool face_near(const BlockIndex& block) const;
   /// Distance of a place from it, negative inside; none if that is more than `reach`.
   static std::optional<double> distance_within(const Present& present, const Place& at, double reach);
   /// `column`: of the place, if that is known. `line`: the velocity relative to the solid that dough has there which touches it.

@@ -102,6 +102,9 @@ class Engine {
   /// Its mean over the step that begins at `time`.
   Vector3 gravity_from(double time) const { return physics_->gravity.mean(time, settling_.now ? time : time + dt_); }
   void find_fall(Lanes<Real> (&dv)[3]) const;
+  /// Contact of a block's nodes: it depends on each alone; on those around, and follows when all are known; or none is touched, but those
+  /// of other blocks depend on them.
+  enum class ContactOf : char { own, later, asked };
   class Around;
   void touch_colliders();
   void measure_published_surface(const Air& air);
@@ -111,7 +114,7 @@ class Engine {
   void hold_temperatures(std::size_t slot, int first, const Lanes<Real>* scattered, Surroundings<Real>& around) const;
   template <class After>
   void change_velocities(std::size_t slot, const NodeSums<Real>* sums, Lanes<Real> (*nodes)[k_most_channels], Budget& booked,
-                         After after) const;
+                         NodeBits which, After after) const;
   void book_momentum(std::size_t slot, const NodeSums<Real>* sums, const Lanes<Real> (*nodes)[k_most_channels], const Lanes<Real> (&dv)[3],
                      Budget& booked) const;
   template <class Theta>
@@ -169,7 +172,7 @@ class Engine {
   std::vector<NodeSums<Real>> sums_;               ///< of the nodes, W at a time
   std::optional<Sheets<Real>> skins_;
   std::vector<double> excess_mass_;    ///< inertia less mass of the skins' vertices, which gravity must not pull [kg]
-  std::vector<char> beside_collider_;  ///< by slot: contact follows when all nodes are known
+  std::vector<ContactOf> contact_of_;  ///< by slot
 
   /// The longest time without sorting [steps]. Particles of a cell that stand together share what the scatter loads and stores; moving
   /// about, they lose each other long before one of them leaves its block and so has all of them sorted.

@@ -2,6 +2,7 @@
 // The grid update: from what particles scattered to what they will gather, and its books.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 
 #include "solver/core/elementary.h"
@@ -86,7 +87,7 @@ void Engine<Real>::update_grid() {
   if (implicit) heat_weight_.assign(nodes, Real(0)), heat_transfer_.assign(nodes, Real(0));
   block_budgets_.resize(blocks);
   if (!given_.empty()) block_given_.assign(blocks * given_.size(), {});
-  beside_collider_.assign(blocks, 0);
+  contact_of_.assign(blocks, ContactOf::own);
   const bool keeps_sums = (physics_->moves && contacts_.has_colliders()) || (implicit && physics_->moves_mass);
   if (keeps_sums) sums_.resize(blocks * k_packs<Real>);
   for_each_parallel(blocks, 16, [&](std::size_t s) {
@@ -148,7 +149,7 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
   const bool at_contact = (physics_->moves || contacts_.holds_temperatures()) &&
                           contacts_.near(active_.at[s], contacts_.holds_temperatures() ? 1.5 * geometry_.dx() : 0);
   BlockSurroundings<Real> surface;
-  const bool has_surface = physics_->needs_surface && surface_.surround(s, active_, air, surface);
+  const bool has_surface = physics_->needs_surface && surface_.surround(s, air, surface);
   Lanes<Real> in[k_most_channels], dv[3];
   find_fall(dv);
   Lanes<Real> out[k_packs<Real>][k_most_channels];
@@ -169,14 +170,18 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
       std::memcpy(&heat_transfer_[node], &around.heat_transfer, sizeof(Lanes<Real>));
     }
   }
-  if (force_) change_velocities(s, sums, out, booked, [&](int, const Point& x, const Vector3& v) { return force_(x, v, time_, dt_); });
+  if (force_)
+    change_velocities(s, sums, out, booked, k_all_nodes, [&](int, const Point& x, const Vector3& v) { return force_(x, v, time_, dt_); });
   if (settling_.now) damp(s, sums, out, booked);
-  beside_collider_[s] = physics_->moves && contacts_.collider_near(active_.at[s], contacts_.reach_beside_colliders());
-  if (physics_->moves && at_contact && !beside_collider_[s])
-    change_velocities(s, sums, out, booked, [&](int n, const Point&, const Vector3& v) { return touched(s, n, sums, v, nullptr); });
+  const bool beside_collider = physics_->moves && contacts_.collider_near(active_.at[s], contacts_.reach_beside_colliders());
+  const NodeBits may_touch = physics_->moves && (at_contact || beside_collider) ? contacts_.nodes_touched(active_.at[s]) : 0;
+  contact_of_[s] = !beside_collider ? ContactOf::own : may_touch ? ContactOf::later : ContactOf::asked;
+  if (!beside_collider)
+    change_velocities(s, sums, out, booked, may_touch,
+                      [&](int n, const Point&, const Vector3& v) { return touched(s, n, sums, v, nullptr); });
   for (std::size_t pack = 0; pack < k_packs<Real>; ++pack) kernel_->put_nodes(out[pack], rows + pack * W * RG);
-  if (physics_->moves && !beside_collider_[s]) book_momentum(s, sums, out, dv, booked);
-  if (beside_collider_[s] || (physics_->implicit_heat && physics_->moves_mass))
+  if (physics_->moves && contact_of_[s] != ContactOf::later) book_momentum(s, sums, out, dv, booked);
+  if (beside_collider || (physics_->implicit_heat && physics_->moves_mass))
     std::copy(sums, sums + k_packs<Real>, &sums_[s * k_packs<Real>]);
   if (physics_->temperature_channel >= 0 && physics_->moves_mass && !physics_->implicit_heat)
     book_moved_heat(
@@ -255,7 +260,7 @@ class Engine<Real>::Around final : public NodesAround {
     *b[axis] += along >> 2;
     c[static_cast<std::size_t>(axis)] = along & 3;
     const std::int32_t found = engine_.active_.slot_at(block, engine_.geometry_);
-    if (found < 0 || !engine_.beside_collider_[static_cast<std::size_t>(found)]) return {};
+    if (found < 0 || engine_.contact_of_[static_cast<std::size_t>(found)] == ContactOf::own) return {};
     const auto slot = static_cast<std::size_t>(found);
     const int node = node_in_block(c[0], c[1], c[2]);
     const Real* v = engine_.gathered_.data() +
@@ -270,14 +275,14 @@ class Engine<Real>::Around final : public NodesAround {
   int node_;
 };
 
-/// Contact of the blocks beside colliders: all velocities after it depend on those before it only.
+/// Contact of the blocks at colliders: all velocities after it depend on those before it only.
 template <class Real>
 void Engine<Real>::touch_colliders() {
   constexpr std::size_t W = k_width<Real>;
   const auto RG = static_cast<std::size_t>(gathered_row());
   std::vector<std::size_t> slots;
-  for (std::size_t s = 0; s < beside_collider_.size(); ++s)
-    if (beside_collider_[s]) slots.push_back(s);
+  for (std::size_t s = 0; s < contact_of_.size(); ++s)
+    if (contact_of_[s] == ContactOf::later) slots.push_back(s);
   if (slots.empty()) return;
   std::vector<std::array<Real, 3 * k_block_nodes>> after(slots.size());
   const auto rows_of = [&](std::size_t s) { return gathered_.data() + s * k_block_nodes * RG; };
@@ -287,10 +292,11 @@ void Engine<Real>::touch_colliders() {
     for (std::size_t n = 0; n < k_block_nodes; ++n)
       for (std::size_t d = 0; d < 3; ++d) nodes[n / W][d][n % W] = rows_of(s)[n * RG + d];
     const NodeSums<Real>* sums = &sums_[s * k_packs<Real>];
-    change_velocities(s, sums, nodes, block_budgets_[s], [&](int n, const Point&, const Vector3& v) {
-      const Around around(*this, s, n);
-      return touched(s, n, sums, v, &around);
-    });
+    change_velocities(s, sums, nodes, block_budgets_[s], contacts_.nodes_touched(active_.at[s]),
+                      [&](int n, const Point&, const Vector3& v) {
+                        const Around around(*this, s, n);
+                        return touched(s, n, sums, v, &around);
+                      });
     find_fall(dv);
     book_momentum(s, sums, nodes, dv, block_budgets_[s]);
     for (std::size_t n = 0; n < k_block_nodes; ++n)
@@ -423,13 +429,14 @@ Lanes<Real> Engine<Real>::temperatures(std::size_t slot, int pack) const {
   return result;
 }
 
-/// Every node with mass gets the velocity `after`(its number, its place, its velocity); the impulse is booked.
+/// Those of the nodes that have mass get the velocity `after`(number, place, velocity); the impulse is booked.
 template <class Real>
 template <class After>
 void Engine<Real>::change_velocities(std::size_t slot, const NodeSums<Real>* sums, Lanes<Real> (*nodes)[k_most_channels], Budget& booked,
-                                     After after) const {
+                                     NodeBits which, After after) const {
   const Point origin = geometry_.origin(active_.at[slot]);
-  for (int n = 0; n < k_block_nodes; ++n) {
+  for (; which != 0; which &= which - 1) {
+    const int n = std::countr_zero(which);
     const int pack = n / k_width<Real>, lane = n % k_width<Real>;
     const Real mass = sums[pack].inertia[lane];
     if (!(mass > 0)) continue;

@@ -296,13 +296,14 @@ void FreeSurfaceMeasure<Real>::follow(const Rows& rows, const ActiveBlocks& acti
   });
 }
 
-/// r and K of air and covers, from the volumes.
+/// A_i / V_i of air and covers, from the volumes.
 template <class Real>
 void FreeSurfaceMeasure<Real>::find(const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts) {
   const std::size_t n = active.at.size();
   for (auto* field : {&mirrored_, &smooth_, &filled_, &density_, &bend_, &edge_}) field->resize(n);
   covers_.resize(n);
   shares_.resize(n);
+  facing_.resize(n);
   for_each_parallel(n, 16, [&](std::size_t s) {
     blocks_[s] = {.has_volume = blocks_[s].has_volume};
     covers_[s].clear();
@@ -315,6 +316,7 @@ void FreeSurfaceMeasure<Real>::find(const ActiveBlocks& active, const GridGeomet
   for (const auto& covers : covers_)
     for (const Cover& cover : covers)
       if (std::find(heats_.begin(), heats_.end(), cover.heat) == heats_.end()) heats_.push_back(cover.heat);
+  for_each_parallel(n, 16, [&](std::size_t s) { find_area(s, active); });
 }
 
 /// Faces of the domain that pass no heat are mirrors, not surfaces: the volume of the mirrored dough is added.
@@ -437,14 +439,6 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
           });
 }
 
-template <class Real>
-std::pair<Real, Real> FreeSurfaceMeasure<Real>::through(std::size_t s, std::size_t k, Real area, const ContactHeat& heat) const {
-  const bool is_held = heat.heat_transfer_coefficient == k_infinity;
-  const Real transfer =
-      is_held && area > 0 && !conductivity_.empty() ? area * layer_.conductance(conductivity_[s][k], volume_[s][k]) : Real(0);
-  return {transfer, transfer * static_cast<Real>(heat.temperature) + area * static_cast<Real>(heat.flux)};
-}
-
 /// Null if no solid with that heat covers the block.
 template <class Real>
 const typename FreeSurfaceMeasure<Real>::Nodes* FreeSurfaceMeasure<Real>::of_cover(std::size_t slot, const ContactHeat& heat,
@@ -464,56 +458,66 @@ bool FreeSurfaceMeasure<Real>::blurred(std::size_t s, const ActiveBlocks& active
   return true;
 }
 
-/// A = V r f with blurred r, and what passes: the layer between the nodes and the surface conducts as well.
+/// A_i / V_i of what faces the nodes: r, averaged, times what puts back the area that smoothing took off.
 template <class Real>
-BAKE_INLINE typename FreeSurfaceMeasure<Real>::Passing FreeSurfaceMeasure<Real>::passing(std::size_t s, std::size_t k, Real r, Real bend,
-                                                                                         Real edge, Real beta) const {
-  const Real V = volume_[s][k], A = V * r * unrounded(r, bend, edge, rounding_);
-  return {A, conductivity_.empty() ? A : A * layer_.share_that_passes(beta * V, conductivity_[s][k])};
-}
-
-template <class Real>
-bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const ActiveBlocks& active, const Air& air, BlockSurroundings<Real>& out) const {
-  if (!published_.empty()) {
-    out = published_[s];
-    return true;
-  }
-  if (!blocks_[s].has_volume) return false;
-  bool any = false;
-  const auto add = [&](auto density_of, auto bend_of, auto edge_of, Real(&area)[k_block_nodes], const ContactHeat& heat) {
+void FreeSurfaceMeasure<Real>::find_area(std::size_t s, const ActiveBlocks& active) {
+  const auto find = [&](auto density_of, auto bend_of, auto edge_of, Nodes& per_volume) {
     Nodes r, bend, edge{};
-    if (!blurred(s, active, density_of, r)) return;
+    if (!blurred(s, active, density_of, r)) return false;
     blurred(s, active, bend_of, bend);
     blurred(s, active, edge_of, edge);
-    if (!any) out = {};
-    any = true;
-    if (!heat.is_simple()) {
-      for (std::size_t k = 0; k < k_block_nodes; ++k) {
-        const Real A = passing(s, k, r[k], bend[k], edge[k], Real(0)).area;
-        const auto [transfer, source] = through(s, k, A, heat);
-        area[k] += A;
-        out.heat_transfer[k] += transfer;
-        out.heat_transfer_source[k] += source;
-      }
-      return;
-    }
-    const auto beta = static_cast<Real>(heat.heat_transfer_coefficient),
-               beta_theta = static_cast<Real>(heat.heat_transfer_coefficient * heat.temperature);
-    for (std::size_t k = 0; k < k_block_nodes; ++k) {
-      const auto [A, passes] = passing(s, k, r[k], bend[k], edge[k], beta);
-      area[k] += A;
-      out.heat_transfer[k] += beta * passes;
-      out.heat_transfer_source[k] += beta_theta * passes;
-    }
+    for (std::size_t k = 0; k < k_block_nodes; ++k) per_volume[k] = r[k] * unrounded(r[k], bend[k], edge[k], rounding_);
+    return true;
   };
   const auto of_air = [&](const std::vector<Nodes>& field) {
     return [&](std::size_t i) { return blocks_[i].has_density ? &field[i] : nullptr; };
   };
-  add(of_air(density_), of_air(bend_), of_air(edge_), out.area, ContactHeat{air.heat_transfer_coefficient, air.temperature});
-  for (const ContactHeat& heat : heats_)
-    add([&](std::size_t i) { return of_cover(i, heat, &Cover::density); }, [&](std::size_t i) { return of_cover(i, heat, &Cover::bend); },
-        [](std::size_t) -> const Nodes* { return nullptr; }, out.contact_area, heat);
-  return any;
+  blocks_[s].faces_air = find(of_air(density_), of_air(bend_), of_air(edge_), smooth_[s]);
+  facing_[s].clear();
+  for (const ContactHeat& heat : heats_) {
+    Facing solid{heat, {}};
+    const bool found = find([&](std::size_t i) { return of_cover(i, heat, &Cover::density); },
+                            [&](std::size_t i) { return of_cover(i, heat, &Cover::bend); },
+                            [](std::size_t) -> const Nodes* { return nullptr; }, solid.per_volume);
+    if (found) facing_[s].push_back(solid);
+  }
+}
+
+template <class Real>
+BAKE_INLINE typename FreeSurfaceMeasure<Real>::Transfer FreeSurfaceMeasure<Real>::through(std::size_t s, std::size_t k, Real area,
+                                                                                          const ContactHeat& heat) const {
+  const bool resists = !conductivity_.empty();
+  const auto theta = static_cast<Real>(heat.temperature);
+  if (heat.is_simple()) {
+    const auto beta = static_cast<Real>(heat.heat_transfer_coefficient);
+    const Real passes = resists ? area * layer_.share_that_passes(beta * volume_[s][k], conductivity_[s][k]) : area;
+    return {beta * passes, beta * passes * theta};
+  }
+  const bool is_held = heat.heat_transfer_coefficient == k_infinity;
+  const Real transfer = is_held && area > 0 && resists ? area * layer_.conductance(conductivity_[s][k], volume_[s][k]) : Real(0);
+  return {transfer, transfer * theta + area * static_cast<Real>(heat.flux)};
+}
+
+template <class Real>
+bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const Air& air, BlockSurroundings<Real>& out) const {
+  if (!published_.empty()) {
+    out = published_[s];
+    return true;
+  }
+  if (!blocks_[s].has_volume || !(blocks_[s].faces_air || !facing_[s].empty())) return false;
+  out = {};
+  const auto add = [&](const Nodes& per_volume, const ContactHeat& heat, Real(&area)[k_block_nodes]) {
+    for (std::size_t k = 0; k < k_block_nodes; ++k) {
+      const Real A = volume_[s][k] * per_volume[k];
+      const auto [transfer, source] = through(s, k, A, heat);
+      area[k] += A;
+      out.heat_transfer[k] += transfer;
+      out.heat_transfer_source[k] += source;
+    }
+  };
+  if (blocks_[s].faces_air) add(smooth_[s], ContactHeat{air.heat_transfer_coefficient, air.temperature}, out.area);
+  for (const Facing& solid : facing_[s]) add(solid.per_volume, solid.heat, out.contact_area);
+  return true;
 }
 
 /// Of all covers with the same heat a giver has the share that its r has of theirs.
@@ -540,20 +544,16 @@ void FreeSurfaceMeasure<Real>::tell(std::size_t s, const ActiveBlocks& active,
       const auto share = std::find_if(shares_[i].begin(), shares_[i].end(), [&](const Share& h) { return h.giver == number; });
       return share == shares_[i].end() ? nullptr : &share->density;
     };
-    Nodes all, bend, own;
+    Nodes all, own;
     if (!blurred(s, active, of_giver, own)) continue;
     blurred(
         s, active, [&, &heat = heat](std::size_t i) { return of_cover(i, heat, &Cover::density); }, all);
-    blurred(
-        s, active, [&, &heat = heat](std::size_t i) { return of_cover(i, heat, &Cover::bend); }, bend);
+    const auto of_all = std::find_if(facing_[s].begin(), facing_[s].end(), [&, &heat = heat](const Facing& f) { return f.heat == heat; });
     for (std::size_t k = 0; k < k_block_nodes; ++k) {
       if (!(own[k] > 0)) continue;
-      const auto beta = static_cast<Real>(heat.is_simple() ? heat.heat_transfer_coefficient : 0);
-      const Passing of_all = passing(s, k, all[k], bend[k], Real(0), beta);
-      const double share = double(own[k] / all[k]), simple = double(beta * of_all.passes);
-      const auto [transfer, source] =
-          heat.is_simple() ? std::pair(simple, simple * heat.temperature) : std::pair<double, double>(through(s, k, of_all.area, heat));
-      visit(giver, static_cast<int>(k), share * transfer, share * source);
+      const double share = double(own[k] / all[k]);
+      const auto [transfer, source] = through(s, k, volume_[s][k] * of_all->per_volume[k], heat);
+      visit(giver, static_cast<int>(k), share * double(transfer), share * double(source));
     }
   }
 }

@@ -53,10 +53,10 @@ class FreeSurfaceMeasure {
     const Real* numbers;
     int size, volume_channel, conductivity_channel;
   };
-  /// Measures from the volumes V_i, all but the last step (`surround`). Parallel over blocks, same bits for any number of threads.
+  /// Measures from the volumes V_i. Parallel over blocks, same bits for any number of threads.
   void measure(const Rows& rows, const SurfaceLayer<Real>& layer, double rounding, const ActiveBlocks& active, const GridGeometry& geometry,
                const Contacts& contacts);
-  /// Takes the volumes of now, to which A_i is proportional, and leaves r and K as they were measured, of the same active blocks.
+  /// Takes the volumes of now and leaves A_i / V_i as it was measured, of the same active blocks.
   void follow(const Rows& rows, const ActiveBlocks& active);
   /// Measures as then, from the volumes of then.
   void measure_again(std::vector<Nodes> volumes, const SurfaceLayer<Real>& layer, double rounding, const ActiveBlocks& active,
@@ -73,7 +73,7 @@ class FreeSurfaceMeasure {
     return volume_.capacity() * (8 * sizeof(Nodes) + sizeof(Block)) + published_.capacity() * sizeof(BlockSurroundings<Real>);
   }
   /// What surrounds a block after either `measure`, or false if no surface is near. `air`: as given to measure_published.
-  bool surround(std::size_t slot, const ActiveBlocks& active, const Air& air, BlockSurroundings<Real>& surroundings) const;
+  bool surround(std::size_t slot, const Air& air, BlockSurroundings<Real>& surroundings) const;
   /// Calls visit(giver, node, heat transfer [W/K], its source [W]) for the part of either that single givers (ContactHeat) have at the
   /// nodes of a block, as long as the last measure holds.
   void tell(std::size_t slot, const ActiveBlocks& active, const std::function<void(int, int, double, double)>& visit) const;
@@ -85,7 +85,8 @@ class FreeSurfaceMeasure {
   static constexpr double k_least_room = 0.05, k_reach = 2.5;  ///< of room(), and of what covers a surface, in node distances
 
   struct Block {
-    bool has_volume = false, is_mirrored = false, is_full = false, is_empty = false, is_beside = false, has_density = false;
+    bool has_volume = false, is_mirrored = false, is_full = false, is_empty = false, is_beside = false, has_density = false,
+         faces_air = false;
   };
   /// A solid in front of nodes of a block.
   struct Cover {
@@ -98,31 +99,38 @@ class FreeSurfaceMeasure {
     ContactHeat heat;
     Nodes density;  ///< r of those nodes
   };
-  /// Area, and as much of it as would pass the same heat without the layer.
-  struct Passing {
-    Real area, passes;
+  /// What a solid covers at the nodes of a block.
+  struct Facing {
+    ContactHeat heat;
+    Nodes per_volume;  ///< A_i / V_i
+  };
+  /// Heat transfer [W/K] and its source [W].
+  struct Transfer {
+    Real transfer, source;
   };
   const Nodes* of_cover(std::size_t slot, const ContactHeat& heat, Nodes Cover::*nodes) const;
   template <class FieldOf>
   bool blurred(std::size_t slot, const ActiveBlocks& active, FieldOf field_of, Nodes& out) const;
-  BAKE_INLINE Passing passing(std::size_t slot, std::size_t node, Real r, Real bend, Real edge, Real beta) const;
-  /// Heat transfer [W/K] through an area, and its source [W], where its temperature is held or a flux comes in.
-  std::pair<Real, Real> through(std::size_t slot, std::size_t node, Real area, const ContactHeat& heat) const;
+  /// Through an area at a node: the layer between the nodes and the surface conducts as well.
+  BAKE_INLINE Transfer through(std::size_t slot, std::size_t node, Real area, const ContactHeat& heat) const;
   void find(const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
   void mirror(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
   void smooth(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
   void find_density(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
+  void find_area(std::size_t slot, const ActiveBlocks& active);
 
   std::vector<Block> blocks_;
-  std::vector<Nodes> volume_, mirrored_, smooth_;
+  std::vector<Nodes> volume_, mirrored_;
+  std::vector<Nodes> smooth_;        ///< phi~; once r is found and nothing asks for it any more, A_i / V_i of the air
   std::vector<Nodes> filled_;        ///< phi~ over the room, of blocks near a collider (is_beside)
   std::vector<Nodes> conductivity_;  ///< sum of w V kappa; empty if no layer resists heat
   SurfaceLayer<Real> layer_;
   double rounding_ = 0;
   std::vector<Nodes> density_, bend_, edge_;  ///< r, r K and r K^2 of nodes that touch air
   std::vector<std::vector<Cover>> covers_;
-  std::vector<ContactHeat> heats_;          ///< of all covers, each once
-  std::vector<std::vector<Share>> shares_;  ///< of those covers that a giver has
+  std::vector<ContactHeat> heats_;           ///< of all covers, each once
+  std::vector<std::vector<Facing>> facing_;  ///< solids, in the order of heats_
+  std::vector<std::vector<Share>> shares_;   ///< of those covers that a giver has
   std::vector<BlockSurroundings<Real>> published_;
   std::vector<std::array<int, k_block_nodes>> published_givers_;  ///< -1: none
 };

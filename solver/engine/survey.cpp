@@ -65,10 +65,9 @@ void Survey::add(const ScriptedShape& solid, const ActiveBlocks& active, const G
   for (std::size_t s = 0; s < active.at.size(); ++s) {
     std::int32_t& number = number_[geometry.linear(active.at[s])];
     if (number != unknown) continue;
-    number = far;
-    if (!is_near(active.at[s])) continue;
-    number = static_cast<std::int32_t>(before + fresh.size());
-    fresh.push_back(s);
+    const bool near = is_near(active.at[s]);
+    number = near ? static_cast<std::int32_t>(before + fresh.size()) : std::int32_t{far};
+    if (near) fresh.push_back(s);
   }
   if (fresh.empty()) return;
   blocks_.resize(before + fresh.size());
@@ -83,6 +82,7 @@ Survey::Block Survey::find(const ScriptedShape& solid, const BlockIndex& at, con
     const double distance = solid.distance(*pose_, x);
     const bool has_column = distance <= dx && distance >= -2 * dx;
     block.distance[static_cast<std::size_t>(n)] = distance;
+    if (distance <= dx) block.near |= NodeBits{1} << n;
     block.number[static_cast<std::size_t>(n)] = has_column ? static_cast<std::int8_t>(block.columns.size()) : std::int8_t{-1};
     if (has_column) block.columns.push_back(find_column(solid, *pose_, x, distance, dx));
   }

@@ -14,6 +14,11 @@
 
 namespace bake {
 
+/// Some nodes of a block: bit n is node n.
+using NodeBits = std::uint64_t;
+static_assert(k_block_nodes == 64);
+inline constexpr NodeBits k_all_nodes = ~NodeBits{0};
+
 /// Where something touches. What is kept of a node is found by the node's number.
 struct Place {
   Point x;                  ///< [m]
@@ -63,20 +68,29 @@ class Survey {
     const Block* block = block_of(at);
     return block && block->number[at.node] >= 0 ? &block->columns[static_cast<std::size_t>(block->number[at.node])] : nullptr;
   }
+  /// Is the block known to be far from the solid? Its linear number.
+  bool is_far(std::size_t block) const { return block < number_.size() && number_[block] == far; }
+  /// The nodes of a block that lie within dx of the solid or in it; all of them if that is not kept.
+  NodeBits near(std::size_t block) const {
+    if (is_far(block)) return 0;
+    const Block* found = block_of(block);
+    return found ? found->near : k_all_nodes;
+  }
   std::size_t bytes() const;
 
  private:
   struct Block {
     std::array<double, k_block_nodes> distance;
+    NodeBits near = 0;                              ///< within dx of the solid or in it
     std::array<std::int8_t, k_block_nodes> number;  ///< among `columns`, or -1
     std::vector<Column> columns;
   };
   enum : std::int32_t { unknown = -2, far = -1 };
-  const Block* block_of(const Place& at) const {
-    if (at.block < 0 || number_.empty()) return nullptr;
-    const std::int32_t number = number_[static_cast<std::size_t>(at.block)];
-    return number < 0 ? nullptr : &blocks_[static_cast<std::size_t>(number)];
+  const Block* block_of(std::size_t linear) const {
+    if (linear >= number_.size() || number_[linear] < 0) return nullptr;
+    return &blocks_[static_cast<std::size_t>(number_[linear])];
   }
+  const Block* block_of(const Place& at) const { return at.block < 0 ? nullptr : block_of(static_cast<std::size_t>(at.block)); }
   Block find(const ScriptedShape& solid, const BlockIndex& block, const GridGeometry& geometry) const;
 
   std::optional<RigidState> pose_;
