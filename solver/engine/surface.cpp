@@ -260,8 +260,14 @@ void FreeSurfaceMeasure<Real>::measure(const Rows& rows, const SurfaceLayer<Real
                                        const GridGeometry& geometry, const Contacts& contacts) {
   layer_ = layer;
   rounding_ = rounding;
-  follow(rows, active);
+  take_volumes(rows, active);
   find(active, geometry, contacts);
+}
+
+template <class Real>
+void FreeSurfaceMeasure<Real>::follow(const Rows& rows, const ActiveBlocks& active) {
+  take_volumes(rows, active);
+  find_areas(active);
 }
 
 template <class Real>
@@ -276,7 +282,7 @@ void FreeSurfaceMeasure<Real>::measure_again(std::vector<Nodes> volumes, const S
 }
 
 template <class Real>
-void FreeSurfaceMeasure<Real>::follow(const Rows& rows, const ActiveBlocks& active) {
+void FreeSurfaceMeasure<Real>::take_volumes(const Rows& rows, const ActiveBlocks& active) {
   const std::size_t n = active.at.size();
   volume_.resize(n);
   conductivity_.resize(rows.conductivity_channel < 0 ? 0 : n);
@@ -316,7 +322,15 @@ void FreeSurfaceMeasure<Real>::find(const ActiveBlocks& active, const GridGeomet
   for (const auto& covers : covers_)
     for (const Cover& cover : covers)
       if (std::find(heats_.begin(), heats_.end(), cover.heat) == heats_.end()) heats_.push_back(cover.heat);
-  for_each_parallel(n, 16, [&](std::size_t s) { find_area(s, active); });
+  find_areas(active);
+}
+
+/// Of blocks with dough that have none yet: all after `find`, and later those into which it has come since.
+template <class Real>
+void FreeSurfaceMeasure<Real>::find_areas(const ActiveBlocks& active) {
+  for_each_parallel(active.at.size(), 16, [&](std::size_t s) {
+    if (blocks_[s].has_volume && !blocks_[s].has_area) find_area(s, active);
+  });
 }
 
 /// Faces of the domain that pass no heat are mirrors, not surfaces: the volume of the mirrored dough is added.
@@ -472,6 +486,7 @@ void FreeSurfaceMeasure<Real>::find_area(std::size_t s, const ActiveBlocks& acti
   const auto of_air = [&](const std::vector<Nodes>& field) {
     return [&](std::size_t i) { return blocks_[i].has_density ? &field[i] : nullptr; };
   };
+  blocks_[s].has_area = true;
   blocks_[s].faces_air = find(of_air(density_), of_air(bend_), of_air(edge_), smooth_[s]);
   facing_[s].clear();
   for (const ContactHeat& heat : heats_) {

@@ -86,7 +86,7 @@ class FreeSurfaceMeasure {
 
   struct Block {
     bool has_volume = false, is_mirrored = false, is_full = false, is_empty = false, is_beside = false, has_density = false,
-         faces_air = false;
+         has_area = false, faces_air = false;
   };
   /// A solid in front of nodes of a block.
   struct Cover {
@@ -113,10 +113,12 @@ class FreeSurfaceMeasure {
   bool blurred(std::size_t slot, const ActiveBlocks& active, FieldOf field_of, Nodes& out) const;
   /// Through an area at a node: the layer between the nodes and the surface conducts as well.
   BAKE_INLINE Transfer through(std::size_t slot, std::size_t node, Real area, const ContactHeat& heat) const;
+  void take_volumes(const Rows& rows, const ActiveBlocks& active);
   void find(const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
   void mirror(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
   void smooth(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
   void find_density(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
+  void find_areas(const ActiveBlocks& active);
   void find_area(std::size_t slot, const ActiveBlocks& active);
 
   std::vector<Block> blocks_;
