@@ -164,7 +164,7 @@ void Baker::gather(double dt, const Surroundings& surroundings) {
       vapour.add(grid_[i], o);
     });
     if (recipe_.motion) move(velocity, recipe_, dt, p);
-    if (recipe_.heat) take_heat(heat, recipe_, m, dt, p);
+    if (recipe_.heat) take_heat(heat, recipe_, m, dt, is_held(surroundings, p.x), p);
     if (recipe_.heat && recipe_.water) take_vapour(vapour, m, p);
     if (recipe_.water) take_water(water, recipe_, m, dt, p);
     if (recipe_.elasticity) p.b_E = trial_strain(p, dt);

@@ -2,6 +2,8 @@
 // Colliders, grips and the faces of the domain act on the velocities of nodes.
 #pragma once
 
+#include <algorithm>
+
 #include "reference/textbook/grid.h"
 
 namespace bake::textbook {
@@ -96,12 +98,17 @@ inline void hold_temperature(const Recipe& recipe, const Surroundings& surroundi
   const double s = nearest->distance(x) / recipe.dx;
   if (s <= d_0 + 1e-6) {
     node.held = *nearest->theta;
-    node.at_face = s > -2;
   } else if (conducts && s <= 1 + d_0) {
     const double conductance = node.conductivity / (recipe.dx * recipe.dx) * (1 + d_0 - s) / (s - d_0);
     node.heat_transfer += conductance;
     node.heat_transfer_source += conductance * *nearest->theta;
   }
+}
+
+/// Is a particle inside of a grip that holds its temperature?
+inline bool is_held(const Surroundings& surroundings, const Vector& x) {
+  return std::any_of(surroundings.solids.begin(), surroundings.solids.end(),
+                     [&](const Solid& solid) { return solid.is_grip && solid.theta && solid.distance(x) <= 0; });
 }
 
 /// A particle inside a solid that expels is put on its surface, by at most dx in a step, and feels the contact itself.

@@ -38,7 +38,6 @@ struct Node {
   double heat_transfer = 0;         ///< sum A beta, of air and solids [W/K]
   double heat_transfer_source = 0;  ///< sum A beta theta_out [W]
   std::optional<double> held;       ///< theta that a grip holds [C]
-  bool at_face = false;             ///< of the grip: it sees particles outside
   // after the step
   double moved_water = 0;     ///< change of m_i^w, evaporation included [kg]
   double evaporated = 0;      ///< [kg]

@@ -63,10 +63,10 @@ inline void update_heat(const Recipe& recipe, double dt, Node& node) {
     node.theta = (content + dt * node.heat_transfer_source) / (capacity + dt * node.heat_transfer);
   node.heat_weight = capacity + dt * node.heat_transfer;
   node.theta_change = node.theta - old;
-  if (node.held) {  // subgrid diffusion takes the particles there
+  if (node.held) {  // and so are the particles inside of the grip
     node.theta = *node.held;
     node.heat_weight = 0;
-    node.theta_change = recipe.heat_subgrid > 0 && node.at_face ? 0 : node.theta - old;
+    node.theta_change = 0;
   }
 }
 
@@ -103,13 +103,14 @@ inline double temperature_of(double heat, double capacity, const Particle& p, co
   }
 }
 
-/// theta += sum w (theta_i' - theta_i)   [Ding19 Eq. 21], then subgrid diffusion
+/// theta += sum w (theta_i' - theta_i)   [Ding19 Eq. 21], then subgrid diffusion; theta = sum w theta_i' where a grip holds the temperature
 /// DEPARTS [Ding19 Eq. 21]: without it, what differs within a cell stays for ever.
-inline void take_heat(const SeenHeat& seen, const Recipe& recipe, const Material& m, double dt, Particle& p) {
+inline void take_heat(const SeenHeat& seen, const Recipe& recipe, const Material& m, double dt, bool is_held, Particle& p) {
   const double capacity = heat_capacity(p, recipe, m), latent = latent_heat(p.theta, p, m);
   p.theta += seen.change;
   const double diffusivity = m.kappa * p.V() / capacity;
   p.theta_lent = evened_out(recipe.heat_subgrid, diffusivity, dt, recipe.dx) * (seen.theta - p.theta);
+  if (is_held) p.theta = seen.theta, p.theta_lent = 0;
   p.theta += p.theta_lent;
   if (m.transition_heat > 0) p.theta = temperature_of(capacity * p.theta + latent, capacity, p, m);
   p.theta_peak = std::max(p.theta_peak, p.theta);

@@ -132,11 +132,10 @@ struct Heat : Effect {
   template <class Real>
   struct NodeConstants {
     Real water;
-    bool published_heat_transfer, evens_out;
+    bool published_heat_transfer;
     template <class Scene>
     explicit NodeConstants(const Scene& scene) {
       const auto& settings = scene.template of<Heat>();
-      evens_out = settings.subgrid_diffusion > 0;
       water = static_cast<Real>(settings.water_specific_heat_J_per_kgK);
       published_heat_transfer = settings.heat_transfer_form == Form::published;
     }
@@ -203,12 +202,21 @@ struct Heat : Effect {
   /// DEPARTS [Ding19 Eq. 21]: of what differs from particle to particle within a cell the nodes know nothing, and it would stay for ever.
   /// It decays as heat conduction over dx would have it, and what that changes at the nodes is taken back there in the next step, so that
   /// their solution is untouched: subgrid diffusion (Gerya and Yuen 2003, doi:10.1016/j.pepi.2003.09.006).
-  BAKE_INLINE static void gather(auto& p, const auto& from, const auto& k, const auto& step, auto&) {
+  /// Particles inside of a grip that holds its temperature have that of their nodes at once, and the grip gives what they lack.
+  BAKE_INLINE static void gather(auto& p, const auto& from, const auto& k, const auto& step, auto& books) {
     auto held = 0 * p[field::theta];
     if (k.latent > 0) held = latent_heat(p, k);
     p[field::theta] += from.value(channel::temperature_change);
     p[field::theta_lent] =
         evened_out(k.kappa * p.volume() / capacity(p, k), k.subgrid, step) * (from.value(channel::temperature) - p[field::theta]);
+    if (books.any_held()) {
+      const auto none = 0 * p[field::theta];
+      const auto held = books.held(&p[field::x][0], step);
+      const auto given = held ? from.value(channel::temperature) - p[field::theta] : none;
+      books.book(booked::heat_exchanged, capacity(p, k) * given);
+      p[field::theta] += given;
+      p[field::theta_lent] = held ? none : p[field::theta_lent];
+    }
     p[field::theta] += p[field::theta_lent];
     if (k.latent > 0) spend_on_transition(p, held, k);
     find_thermal_strain(p, k);
@@ -285,8 +293,8 @@ struct Heat : Effect {
 
   /// (content + change + dt sum S beta theta_out) / (capacity + dt sum S beta), the capacity being that after the step's water
   /// fluxes: the transfer is implicit at the node, so a light surface node never limits the step; it gains what the surroundings
-  /// lose, to round-off. Vapour leaves with the new temperature. At the face of a grip that holds a temperature, subgrid diffusion takes
-  /// the particles there: given the nodes' change, those inside would overshoot as far as those outside fall short, to the held mean.
+  /// lose, to round-off. Vapour leaves with the new temperature. Nodes that a grip holds change no particle: those inside of it take
+  /// the nodes' temperature (`gather`); given the nodes' change, they would overshoot as far as those outside fall short.
   /// DEPARTS [Ding19 Sec. 4, 6.3]: the boundary flux is beta (theta_out - theta); as printed, a hot body heats itself.
   BAKE_INLINE static void update(auto& node, const auto& k, const auto& step, auto& budget) {
     using N = std::decay_t<decltype(node)>;
@@ -308,12 +316,11 @@ struct Heat : Effect {
     if (k.published_heat_transfer) theta = filled ? (content + change - source + transfer * old) / capacity : none;
     budget.book(booked::heat_exchanged, filled ? capacity * theta - (content + change) : none);
     const auto held = around.is_held & filled;
-    const auto taken_on = k.evens_out & around.is_at_face ? old : around.held;  // by the particles around a held node
-    budget.book(booked::heat_exchanged, held ? capacity * (taken_on - theta) : none);
+    budget.book(booked::heat_exchanged, held ? capacity * (old - theta) : none);
     // water that moves or leaves is booked with the node's temperature
-    budget.book(booked::heat_exchanged, held ? (capacity - node[channel::heat_capacity]) * (around.held - taken_on) : none);
+    budget.book(booked::heat_exchanged, held ? (capacity - node[channel::heat_capacity]) * (around.held - old) : none);
     node.sums.heat_weight = held ? none : weight;
-    node.out(channel::temperature_change) = held ? taken_on - old : theta - old;
+    node.out(channel::temperature_change) = held ? none : theta - old;
     node.out(channel::temperature) = held ? around.held : theta;
   }
 

@@ -29,6 +29,7 @@ class Expelling final : public Obstacles {
  public:
   Expelling(const Contacts& contacts, Given* given) : contacts_(contacts), given_(given) {}
   bool push_out(Point& x, Vector3& v, double mass) const override { return contacts_.push_out(x, v, mass, given_); }
+  bool holds_temperature(const Point& x) const override { return contacts_.holds_temperature(x); }
 
  private:
   const Contacts& contacts_;

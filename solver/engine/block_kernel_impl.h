@@ -51,7 +51,9 @@ class BlockKernelOf final : public BlockKernel<Real> {
     Report<Real> report;
     report.totals_wanted = totals;
     std::optional<Expelling> expelling;
-    if (work.contacts->expels_near(block.at, 2 * static_cast<double>(work.step.dx))) {
+    const double near = 2 * static_cast<double>(work.step.dx);
+    if (work.contacts->holds_temperature_near(block.at, near)) report.holding = work.contacts;
+    if (work.contacts->expels_near(block.at, near)) {
       expelling.emplace(*work.contacts, work.given ? work.given + static_cast<std::size_t>(index) * work.givers : nullptr);
       report.obstacles = &*expelling;
     }

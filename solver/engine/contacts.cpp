@@ -165,6 +165,17 @@ bool Contacts::expels_near(const BlockIndex& block, double reach) const {
                                 [&](const Present& p) { return p.contact->expels && reaches(p, block, reach + touching()); });
 }
 
+bool Contacts::holds_temperature(const Point& x) const {
+  return std::any_of(present_.begin(), present_.end(),
+                     [&](const Present& p) { return p.contact->holds_temperature() && p.contact->scripted.distance(p.pose, x) <= 0; });
+}
+
+bool Contacts::holds_temperature_near(const BlockIndex& block, double reach) const {
+  return holds_temperatures_ && std::any_of(present_.begin(), present_.end(), [&](const Present& p) {
+           return p.contact->holds_temperature() && reaches(p, block, reach + touching());
+         });
+}
+
 bool Contacts::reaches(const Present& p, const BlockIndex& block, double reach) const {
   if (p.stands && reach <= k_surveyed * geometry_.dx() && p.contact->survey.is_far(geometry_.linear(block))) return false;
   const Point low = geometry_.origin(block);
@@ -289,7 +300,7 @@ double Contacts::room(const Place& at) const {
 std::optional<HeldNear> Contacts::held_near(const Place& at, double reach) const {
   std::optional<HeldNear> nearest;
   for (const Present& p : present_) {
-    if (p.contact->rule != Rule::grip || !p.contact->temperature) continue;
+    if (!p.contact->holds_temperature()) continue;
     const auto distance = distance_within(p, at, reach + touching());
     if (distance && (!nearest || *distance < nearest->distance)) nearest = {p.temperature, *distance};
   }

@@ -74,6 +74,9 @@ class Contacts final : public Obstacles {
   /// Is there something that expels particles within `reach` of the block?
   bool expels_near(const BlockIndex& block, double reach) const;
   bool push_out(Point& x, Vector3& v, double mass) const override { return push_out(x, v, mass, nullptr); }
+  bool holds_temperature(const Point& x) const override;
+  /// Is there a grip that holds its temperature within `reach` of the block?
+  bool holds_temperature_near(const BlockIndex& block, double reach) const;
   /// The same; adds to `given`, if not null, what each of givers_of(scene) gave.
   bool push_out(Point& x, Vector3& v, double mass, Given* given) const;
   /// Applies every contact to a node: returns the velocity after contact. `around`: the nodes around one that may be beside a collider
@@ -126,6 +129,7 @@ class Contacts final : public Obstacles {
     Survey survey;
     /// Does its face lie between nodes for those beside it (see velocity_after)?
     bool has_columns() const { return rule != Rule::grip && !expels; }
+    bool holds_temperature() const { return rule == Rule::grip && temperature; }
   };
   struct Present {
     Contacting* contact;

@@ -359,7 +359,6 @@ void Engine<Real>::hold_temperatures(std::size_t slot, int first, const Lanes<Re
     const double s = held->distance / dx;
     if (s <= d_0 + 1e-6) {
       around.is_held[l] = -1;
-      around.is_at_face[l] = s > -2 ? -1 : 0;
       around.held[l] = static_cast<Real>(held->temperature);
       continue;
     }

@@ -109,6 +109,18 @@ struct Model<Real, Effects...>::Books {
     V& most = report.bounds[Bounds::template offset<Q>];
     most = max(most, value);
   }
+  /// May particles be inside of a grip that holds its temperature?
+  BAKE_INLINE bool any_held() const { return __builtin_expect(report.holding != nullptr, 0); }
+  /// Which of the particles at x (of the block, in node distances) are.
+  LaneMask<Real> held(const V* x, const Step<Real>& step) const {
+    LaneMask<Real> held{};
+    for (int l = 0; l < k_width<Real>; ++l) {
+      Point at;
+      for (std::size_t d = 0; d < 3; ++d) at[d] = static_cast<double>(origin[d] + step.dx * x[d][l]);
+      held[l] = report.alive[l] != 0 && report.holding->holds_temperature(at) ? -1 : 0;
+    }
+    return held;
+  }
 };
 
 /// A budget as the effects see it at W nodes.

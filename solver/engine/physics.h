@@ -63,6 +63,7 @@ struct Report {
   V bounds[k_most_bounds] = {};
   V booked[k_most_booked] = {};
   const Obstacles* obstacles = nullptr;  ///< if there are any near that expel particles
+  const Obstacles* holding = nullptr;    ///< if there is a grip near that holds a temperature
   bool totals_wanted = false;
   Totals totals{};
   Totals retired{};  ///< of the particles that leave in this step
@@ -89,7 +90,6 @@ struct Surroundings {
   V saturation;            ///< s_out of the air
   V held;                  ///< temperature that a grip holds [C]
   LaneMask<Real> is_held;
-  LaneMask<Real> is_at_face;  ///< of the grip: it sees particles outside
 };
 
 /// What the grid update says of W nodes beside the rows that are gathered.

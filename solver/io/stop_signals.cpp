@@ -2,26 +2,42 @@
 #include "solver/io/stop_signals.h"
 
 #include <atomic>
+#include <cstdint>
+#include <ctime>
 
 namespace bake {
 namespace {
 
-std::atomic<bool> g_stop_asked = false;  ///< set by a handler, read by all threads
-static_assert(std::atomic<bool>::is_always_lock_free);
+std::atomic<bool> g_stop_asked = false;    ///< set by a handler, read by all threads
+std::atomic<std::int64_t> g_asked_ns = 0;  ///< when
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free);
+
+/// Soon after the first, another one is the same wish: `timeout` and batch systems signal a process and then its group.
+void note(int signal) {
+  constexpr std::int64_t k_soon_ns = 1'000'000'000;
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  const std::int64_t now_ns = std::int64_t{1'000'000'000} * now.tv_sec + now.tv_nsec;
+  if (!g_stop_asked.exchange(true)) g_asked_ns = now_ns;
+  if (now_ns - g_asked_ns < k_soon_ns) return;
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
 
 }  // namespace
 
 StopSignals::StopSignals() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { g_stop_asked = true; };
-  action.sa_flags = SA_RESETHAND;
-  sigaction(SIGINT, &action, &old_int_);
-  sigaction(SIGTERM, &action, &old_term_);
+  for (std::size_t i = 0; i < k_count; ++i) {
+    struct sigaction action {};
+    action.sa_handler = k_signals[i] == SIGPIPE ? SIG_IGN : note;
+    sigaction(k_signals[i], nullptr, &old_[i]);
+    const bool is_shielded = k_signals[i] == SIGHUP && old_[i].sa_handler == SIG_IGN;  // by nohup
+    if (!is_shielded) sigaction(k_signals[i], &action, nullptr);
+  }
 }
 
 StopSignals::~StopSignals() {
-  sigaction(SIGINT, &old_int_, nullptr);
-  sigaction(SIGTERM, &old_term_, nullptr);
+  for (std::size_t i = 0; i < k_count; ++i) sigaction(k_signals[i], &old_[i], nullptr);
   g_stop_asked = false;
 }
 

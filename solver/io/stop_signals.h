@@ -3,11 +3,13 @@
 #pragma once
 
 #include <csignal>
+#include <iterator>
 
 namespace bake {
 
-/// While one is there, the first SIGINT or SIGTERM ends nothing but is noted: who works asks for it and stops where nothing is lost. A
-/// second one ends the program as usual. One at a time.
+/// While one is there, SIGINT, SIGTERM and SIGHUP (a terminal that is closed) end nothing but are noted: who works asks for it and stops
+/// where nothing is lost. One that comes a second or more later ends the program as usual. What nobody reads any more (SIGPIPE) is an error
+/// of writing. One at a time.
 class StopSignals {
  public:
   StopSignals();
@@ -18,7 +20,9 @@ class StopSignals {
   static bool asked();
 
  private:
-  struct sigaction old_int_, old_term_;
+  static constexpr int k_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+  static constexpr std::size_t k_count = std::size(k_signals);
+  struct sigaction old_[k_count];
 };
 
 }  // namespace bake

@@ -24,7 +24,7 @@ constexpr double k_usual_speed = 1e7;  ///< particle-steps a second of an ordina
 
 /// At least: where a particle of a body begins, its columns with their room for sorting, and its place in the new order.
 template <class Real>
-double bytes_per_particle(const Scene& scene) {
+double bytes_of_a_particle(const Scene& scene) {
   return sizeof(Point) + 17. / 16 * sizeof(Real) * make_physics<Real>(scene)->column_count + 3 * sizeof(std::uint32_t);
 }
 
@@ -60,9 +60,12 @@ class Memory {
 
 }  // namespace
 
+double bytes_per_particle(const Scene& scene) {
+  return scene.run.precision == Precision::single_precision ? bytes_of_a_particle<float>(scene) : bytes_of_a_particle<double>(scene);
+}
+
 void check_size(const Scene& scene) {
-  const double per_particle =
-      scene.run.precision == Precision::single_precision ? bytes_per_particle<float>(scene) : bytes_per_particle<double>(scene);
+  const double per_particle = bytes_per_particle(scene);
   Memory memory(scene);
   const GridGeometry geometry(scene.domain.min_m, scene.domain.max_m, scene.dx());
   const double blocks = double(geometry.blocks(0)) * geometry.blocks(1) * geometry.blocks(2);

@@ -408,8 +408,10 @@ RunSummary run_scene(const Scene& scene, const RunOptions& options) {
 
 namespace {
 
-/// Seconds per particle on this machine, and how the steps' mean length compares with the first one's.
+/// Seconds per particle on this machine, and how the steps' mean length compares with the first one's. A step of fewer than some thousand
+/// particles takes as long as one of these, and so does a frame.
 struct Costs {
+  static constexpr double k_fewest_of_step = 2e3, k_fewest_of_frame = 1e4;
   double step = 0, frame = 0, lengthening = 1;
   double settling_s = 0;  ///< that was seen
 };
@@ -432,9 +434,9 @@ Costs try_out(Simulation& simulation, double end) {
   write(0);  // the first frame takes much longer than later ones
   const double again = steady_seconds();
   write(1);
-  const double particles = std::max(static_cast<double>(simulation.particles()), 1.0);
-  return {taken / std::max(static_cast<double>(simulation.counters().particle_steps), 1.0), (steady_seconds() - again) / particles,
-          lengthening, simulation.settling().time};
+  const double particles = static_cast<double>(simulation.particles());
+  return {taken / std::max({static_cast<double>(simulation.counters().particle_steps), steps * Costs::k_fewest_of_step, 1.0}),
+          (steady_seconds() - again) / std::max(particles, Costs::k_fewest_of_frame), lengthening, simulation.settling().time};
 }
 
 /// Particles that emitters pour in a run.
@@ -485,10 +487,13 @@ std::string describe_scene(const Scene& scene, int threads) {
     }
     const double steps = first_step > 0 ? std::ceil((scene.run.end_s + costs->settling_s) / (first_step * costs->lengthening)) : 0;
     const double frames = scene.run.end_s * scene.run.frame_rate_per_s;
-    text += fmt::format("  {:<12} dx {:.4g} m, {:.0f} particles{}, {:.0f} MB ({:.0f} bytes per particle), about {:.0f} steps, {}\n",
+    const double seconds =
+        steps * costs->step * std::max(mean, Costs::k_fewest_of_step) + frames * costs->frame * std::max(mean, Costs::k_fewest_of_frame);
+    const double bytes = static_cast<double>(simulation->bytes()) + poured.all * bytes_per_particle(at), all = n + poured.all;
+    text += fmt::format("  {:<12} dx {:.4g} m, {:.0f} particles{}, {}{:.0f} MB ({:.0f} bytes per particle), about {:.0f} steps, {}\n",
                         word_of(quality), at.dx(), n, poured.all > 0 ? fmt::format(" and about {:.0f} poured", poured.all) : "",
-                        static_cast<double>(simulation->bytes()) / 1e6, n > 0 ? static_cast<double>(simulation->bytes()) / n : 0, steps,
-                        mean > 0 ? clock_text(mean * (steps * costs->step + frames * costs->frame)) : "no time at all");
+                        poured.all > 0 ? "at least " : "", bytes / 1e6, all > 0 ? bytes / all : 0, steps,
+                        mean > 0 ? clock_text(seconds) : "no time at all");
   }
   for (const std::string& warning : warnings_about(scene)) text += fmt::format("  warning      {}\n", warning);
   for (const std::string& doubt : doubts_about_skins(scene)) text += fmt::format("  doubt        {}\n", doubt);

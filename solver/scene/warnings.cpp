@@ -74,6 +74,14 @@ std::vector<std::string> warnings_about(const Scene& scene) {
   for_each_effect([&]<class E>() {
     if (const std::string warning = warning_about<E>(here); !warning.empty()) warnings.push_back(warning);
   });
+  const auto ignored = [&](const char* table, const auto& all) {
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i].temperature_C && !scene.lists(Heat::name))
+        warnings.push_back(
+            fmt::format("{}.{}.temperature_C is given, but effects does not list heat: it has that of its material", table, i));
+  };
+  ignored("body", scene.bodies);
+  ignored("emitter", scene.emitters);
   return warnings;
 }
 

@@ -79,6 +79,26 @@ TEST(Run, InterruptedAndResumedGivesTheSameBitsAsNeverStopped) {
   EXPECT_GT(nlohmann::json::parse(contents(place.folder() / "parts/run.json"))["summary"]["wall_s"], 3600) << "of both parts";
 }
 
+TEST(Run, IsSavedHoweverItIsAskedToStop) {
+  const Workplace place;
+  const std::string under_way = " & run=$!; while [ \"$(cat out/ledger.csv 2>/dev/null | wc -l)\" -lt 4 ]; do sleep 0.01; done; ";
+  for (const std::string signals :
+       {"kill -TERM $run; kill -TERM $run", "kill -TERM $run; sleep 0.001; kill -TERM $run", "kill -HUP $run"}) {
+    const Outcome stopped = place.bake(std::string(k_long) + " --overwrite --out out" + under_way + signals + "; wait $run");
+    EXPECT_EQ(stopped.exit_code, 3) << signals;
+    EXPECT_TRUE(fs::exists(place.folder() / "out/checkpoint.h5")) << signals;
+    EXPECT_EQ(state_of(place, "out"), "interrupted") << signals;
+    fs::remove_all(place.folder() / "out");
+  }
+}
+
+TEST(Run, IsSavedWhenNobodyReadsWhatItSays) {
+  const Workplace place;
+  place.bake("run dough --set run.end_s=0.2 --out out 2>&1 | true");  // whose exit code is that of the pipe
+  EXPECT_TRUE(fs::exists(place.folder() / "out/checkpoint.h5"));
+  for (const auto& entry : fs::recursive_directory_iterator(place.folder() / "out")) EXPECT_NE(entry.path().extension(), ".part");
+}
+
 TEST(Run, ThatCannotGoOnSaysWhyAndLeavesACheckpointOfItsLastFrame) {
   const Workplace place;
   const std::string falls_too_fast =

@@ -263,6 +263,8 @@ TEST(SceneError, EmitterMustPour) {
             std::string::npos);
   EXPECT_NE(error_of(emitter + "velocity_m_per_s = [0, 0, 1]\nuntil_s = -1\n").find("emitter.0.until_s: found from_s = 0"),
             std::string::npos);
+  EXPECT_EQ(error_of("effects = []\n" + emitter + "velocity_m_per_s = [0, 0, 1]\n"),
+            "bread.toml:13: emitter.0: found an emitter without the effect 'motion', allowed: with it");
 }
 
 TEST(SceneError, DotsOfNumbersAreNoStepsOfAKey) {

@@ -73,6 +73,13 @@ TEST(Doubts, DoNotConcernHeatThatLeaveningNeedsOrWhereAnythingIsWarmer) {
   EXPECT_NE(warnings(k_unleavened, {k_no_leavener, k_no_exchange}, tray), "");  // it passes no heat
 }
 
+TEST(Doubts, NameATemperatureThatNothingHas) {
+  const std::string body = "[[body]]\nmaterial = \"dough\"\ntemperature_C = 5\nshape = { sphere = { radius_m = 0.1 } }\n";
+  const std::string said = "body.1.temperature_C is given, but effects does not list heat: it has that of its material";
+  EXPECT_NE(warnings(R"("motion", "elasticity", "water")", {k_no_leavener}, body).find(said), std::string::npos);
+  EXPECT_EQ(warnings(k_unleavened, {k_no_leavener}, body).find(said), std::string::npos);
+}
+
 TEST(Doubts, NameMotionOfWhatNothingMoves) {
   const std::string still = "effects lists motion, which cannot matter: there is no gravity, nothing else moves and nothing swells";
   const std::string press = "[[collider]]\nname = \"press\"\nshape = { half_space = { normal = [0, 0, 1] } }\n";
