@@ -91,6 +91,7 @@ void Contacts::prepare(double time, bool at_rest) {
   present_.clear();
   largest_speed_ = 0;
   expels_ = false;
+  holds_now_ = holds_temperatures_ && !at_rest;
   covers_.clear();
   for (Wall& w : walls_) {
     if (w.temperature) w.heat.temperature = (*w.temperature)(time);
@@ -171,7 +172,7 @@ bool Contacts::holds_temperature(const Point& x) const {
 }
 
 bool Contacts::holds_temperature_near(const BlockIndex& block, double reach) const {
-  return holds_temperatures_ && std::any_of(present_.begin(), present_.end(), [&](const Present& p) {
+  return holds_now_ && std::any_of(present_.begin(), present_.end(), [&](const Present& p) {
            return p.contact->holds_temperature() && reaches(p, block, reach + touching());
          });
 }

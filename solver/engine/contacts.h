@@ -180,6 +180,7 @@ class Contacts final : public Obstacles {
   const GridGeometry geometry_;
   std::vector<double> covers_;
   bool has_colliders_ = false, holds_temperatures_ = false;
+  bool holds_now_ = false;  ///< not while the dough settles
   double largest_speed_ = 0;
   bool expels_ = false;
 };

@@ -8,9 +8,8 @@
 namespace bake {
 namespace {
 
-std::atomic<bool> g_stop_asked = false;    ///< set by a handler, read by all threads
-std::atomic<std::int64_t> g_asked_ns = 0;  ///< when
-static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free);
+std::atomic<std::int64_t> g_asked_ns = 0;  ///< when the user asked first, set by a handler, read by all threads; 0: not yet
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 
 /// Soon after the first, another one is the same wish: `timeout` and batch systems signal a process and then its group.
 void note(int signal) {
@@ -18,8 +17,8 @@ void note(int signal) {
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
   const std::int64_t now_ns = std::int64_t{1'000'000'000} * now.tv_sec + now.tv_nsec;
-  if (!g_stop_asked.exchange(true)) g_asked_ns = now_ns;
-  if (now_ns - g_asked_ns < k_soon_ns) return;
+  std::int64_t first = 0;
+  if (g_asked_ns.compare_exchange_strong(first, now_ns) || now_ns - first < k_soon_ns) return;
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -38,9 +37,9 @@ StopSignals::StopSignals() {
 
 StopSignals::~StopSignals() {
   for (std::size_t i = 0; i < k_count; ++i) sigaction(k_signals[i], &old_[i], nullptr);
-  g_stop_asked = false;
+  g_asked_ns = 0;
 }
 
-bool StopSignals::asked() { return g_stop_asked; }
+bool StopSignals::asked() { return g_asked_ns != 0; }
 
 }  // namespace bake

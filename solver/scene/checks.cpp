@@ -10,6 +10,7 @@
 
 #include "solver/boundary/scripted.h"
 #include "solver/effects/all_effects.h"
+#include "solver/effects/needs_of_scene.h"
 #include "solver/effects/skin_of_scene.h"
 #include "solver/scene/describe.h"
 #include "solver/scene/nearest.h"
@@ -210,7 +211,7 @@ void check(const SceneEntry& entry, const Emitter& value, const Scene& scene) {
   if (value.from_s < 0) Complaint(entry).at("from_s", "found {}, allowed: 0 or later", value.from_s);
   if (value.velocity_m_per_s == Vector3{0, 0, 0})
     Complaint(entry).at("velocity_m_per_s", "found [0, 0, 0], allowed: a velocity that is not zero");
-  if (!scene.lists(Motion::name)) entry.complain("found an emitter without the effect 'motion', allowed: with it");
+  if (const std::string needs = what_emitter_needs(scene); !needs.empty()) entry.complain(needs);
 }
 
 void check(const SceneEntry& entry, const Skin& value, const Scene& scene) {

@@ -7,6 +7,7 @@
 
 #include "solver/core/vector3.h"
 #include "solver/effects/all_effects.h"
+#include "solver/effects/needs_of_scene.h"
 #include "solver/scene/scene.h"
 
 namespace bake {
@@ -76,7 +77,7 @@ std::vector<std::string> warnings_about(const Scene& scene) {
   });
   const auto ignored = [&](const char* table, const auto& all) {
     for (std::size_t i = 0; i < all.size(); ++i)
-      if (all[i].temperature_C && !scene.lists(Heat::name))
+      if (all[i].temperature_C && !tells_temperatures_apart(scene))
         warnings.push_back(
             fmt::format("{}.{}.temperature_C is given, but effects does not list heat: it has that of its material", table, i));
   };

@@ -69,6 +69,8 @@ TEST(FillBodies, LeavesVolumesFromAFileAsTheyAre) {
 struct Pours : Fills {
   std::string spout, velocity;
   Scene pouring(double until, Quality quality) {
+    effects = "motion, elasticity";
+    material = "density_kg_per_m3 = 1000\nyoung_modulus_Pa = 1e4";
     shape = "";
     tables = "[[emitter]]\nmaterial = \"dough\"\nshape = { " + spout + " }\nvelocity_m_per_s = " + velocity +
              "\nfrom_s = 0.5\nuntil_s = " + std::to_string(until);
