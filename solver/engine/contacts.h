@@ -107,7 +107,7 @@ class Contacts final : public Obstacles {
   /// The nearest grip that holds a temperature, if one is within `reach`; distances in it are negative.
   std::optional<HeldNear> held_near(const Place& at, double reach) const;
   bool has_colliders() const { return has_colliders_; }
-  bool holds_temperatures() const { return holds_temperatures_; }
+  bool holds_temperatures() const { return holds_now_; }  ///< as of prepare()
   /// Fastest collider or grip at present [m/s].
   double largest_speed() const { return largest_speed_; }
   /// First time after `time` at which something appears or goes.

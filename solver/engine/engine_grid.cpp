@@ -159,7 +159,7 @@ void Engine<Real>::update_block(std::size_t s, const Air& air, const Step<Real>&
     prefetch_rows(from + (k_block_nodes + n) * RS, W * RS);  // of the next block
     kernel_->take_nodes(from + n * RS, in);
     Surroundings<Real> around = surroundings(pack, has_surface ? &surface : nullptr, air);
-    if (at_contact && contacts_.holds_temperatures() && !settling_.now) hold_temperatures(s, static_cast<int>(n), in, around);
+    if (at_contact && contacts_.holds_temperatures()) hold_temperatures(s, static_cast<int>(n), in, around);
     physics_->update_nodes(in, out[pack], sums[pack], around, step, booked);
     for (int c = physics_->gather_channels; c < gathered_row(); ++c) out[pack][c] = Lanes<Real>{};
     if (physics_->moves)
