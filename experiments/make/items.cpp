@@ -109,7 +109,7 @@ const Item& find_item(const Items& items, const std::string& words, const std::s
   for (const Item& item : items.items) {
     const bool is_folder = !words.empty() && words == item.experiment;
     if (words == item.name || words == item.number || number == item.number || is_folder) return item;
-    names.push_back(item.name);
+    if ((kind == "table") == item.number.starts_with("table")) names.push_back(item.name);
   }
   throw InputError(fmt::format("unknown {} '{}'; {} (bake list figures)", kind, quotable(words), suggestion(words, names)));
 }

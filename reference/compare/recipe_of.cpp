@@ -26,7 +26,7 @@ void refuse_unknown_effects(const Scene& scene) {
   for (const std::string& effect : scene.effects)
     if (std::find(known.begin(), known.end(), effect) == known.end())
       throw InputError(
-          fmt::format("{}: effects: found {}, allowed: what the textbook knows: {}", scene.file.string(), effect, fmt::join(known, ", ")));
+          fmt::format("{}: found {}, allowed: what the textbook knows: {}", scene.at("effects"), effect, fmt::join(known, ", ")));
 }
 
 textbook::Vector plain(const Vector3& v) { return {{v[0], v[1], v[2]}}; }
@@ -103,20 +103,20 @@ bool present(const Thing& thing, double time_s) {
 void refuse_fracture(const Scene& scene) {
   for (const Material& m : scene.materials)
     if (const double energy = of<Plasticity>(m).fracture_energy_J_per_m2; energy < k_infinity)
-      throw InputError(fmt::format("{}: material {}: fracture_energy_J_per_m2: found {:g}, allowed: inf, which the textbook knows",
-                                   scene.file.string(), m.name, energy));
+      throw InputError(fmt::format("{}: found {:g}, allowed: inf, which the textbook knows",
+                                   scene.at(fmt::format("material.{}.fracture_energy_J_per_m2", m.name)), energy));
 }
 
 void refuse_settling(const Scene& scene) {
   if (const double damping = scene.of<Motion>().settle_damping_per_s; scene.lists(Motion::name) && damping > 0)
-    throw InputError(fmt::format("{}: motion.settle_damping_per_s: found {:g}, allowed: 0, since the textbook does not settle",
-                                 scene.file.string(), damping));
+    throw InputError(
+        fmt::format("{}: found {:g}, allowed: 0, since the textbook does not settle", scene.at("motion.settle_damping_per_s"), damping));
 }
 
 void refuse_kept_surface(const Scene& scene) {
   if (const double keep = scene.surface.keep_dx; keep > 0)
     throw InputError(
-        fmt::format("{}: surface.keep_dx: found {:g}, allowed: 0, since the textbook measures in every step", scene.file.string(), keep));
+        fmt::format("{}: found {:g}, allowed: 0, since the textbook measures in every step", scene.at("surface.keep_dx"), keep));
 }
 
 }  // namespace

@@ -127,6 +127,8 @@ class Grid {
         for (int k = 0; k < size_[2]; ++k) visit(Index{i, j, k}, (*this)[{i, j, k}]);
   }
   std::size_t count() const { return nodes_.size(); }
+  /// Nodes along each axis.
+  const Index& size() const { return size_; }
   double dx() const { return recipe_.dx; }
   const Recipe& recipe() const { return recipe_; }
 

@@ -8,20 +8,33 @@ namespace bake::textbook {
 
 namespace {
 
-/// A number per node; zero outside the grid.
+/// A number per node; zero outside the grid, of which there is a margin of one node.
 struct Field {
   const Grid& grid;
-  std::vector<double> values = std::vector<double>(grid.count(), 0);
-  double& operator[](const Index& i) { return values[grid.number(i)]; }
-  double operator()(const Index& i) const { return grid.has(i) ? values[grid.number(i)] : 0; }
+  std::array<std::size_t, 3> stride;
+  std::vector<double> values;
+  explicit Field(const Grid& of) : grid(of) {
+    const auto& [x, y, z] = of.size();
+    stride = {static_cast<std::size_t>((y + 2) * (z + 2)), static_cast<std::size_t>(z + 2), 1};
+    values.resize(static_cast<std::size_t>(x + 2) * stride[0], 0);
+  }
+  std::size_t number(const Index& i) const {
+    std::size_t number = 0;
+    for (std::size_t d = 0; d < 3; ++d) number += static_cast<std::size_t>(i[d] + 1) * stride[d];
+    return number;
+  }
+  double& operator[](const Index& i) { return values[number(i)]; }
+  double operator()(const Index& i) const { return values[number(i)]; }
 };
 
 /// sum over the 27 nodes around i of weight[0][dx] weight[1][dy] weight[2][dz] field
 double around(const Field& field, const Index& i, const double (&weight)[3][3]) {
+  const double* first = &field.values[field.number({i[0] - 1, i[1] - 1, i[2] - 1})];
   double sum = 0;
-  for (int a = 0; a < 3; ++a)
-    for (int b = 0; b < 3; ++b)
-      for (int c = 0; c < 3; ++c) sum += weight[0][a] * weight[1][b] * weight[2][c] * field({i[0] + a - 1, i[1] + b - 1, i[2] + c - 1});
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t b = 0; b < 3; ++b)
+      for (std::size_t c = 0; c < 3; ++c)
+        sum += weight[0][a] * weight[1][b] * weight[2][c] * first[a * field.stride[0] + b * field.stride[1] + c];
   return sum;
 }
 
@@ -149,8 +162,9 @@ struct Levels : Density {
       for (int d = 0; d < 3; ++d) slope[d][i] = g[d];
     });
     grid.for_each([&](const Index& i, const Node&) {
+      if (fill(i) < k_no_dough) return;
       const Vector g = gradient(psi, i);
-      if (fill(i) < k_no_dough || length(g) == 0) return;
+      if (length(g) == 0) return;
       for (int d = 0; d < 3; ++d) normal[d][i] = -g[d] / length(g);
       const double K = curvature(slope, i);
       r[i] = length(g) / fill(i);

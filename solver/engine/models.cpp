@@ -68,7 +68,7 @@ std::unique_ptr<Physics<Real>> make_physics(const Scene& scene) {
   };
   [&]<class... E>(std::tuple<E...>*) { (tell(static_cast<E*>(nullptr)), ...); }(static_cast<ComposedEffects*>(nullptr));
   std::apply([&](auto... c) { ((known += (known.empty() ? "" : ", ") + words(c)), ...); }, Compositions{});
-  throw InputError(scene.file.string() + ": effects: found " + (listed.empty() ? "none" : listed) + told + ", allowed: " + known);
+  throw InputError(scene.at("effects") + ": found " + (listed.empty() ? "none" : listed) + told + ", allowed: " + known);
 }
 
 template std::unique_ptr<Physics<float>> make_physics(const Scene&);

@@ -45,8 +45,8 @@ class Memory {
   void take(const std::string& key, const std::string& what, double bytes) {
     taken_ += bytes;
     if (taken_ > there_)
-      throw InputError(fmt::format("{}: {}: found {} (at least {}), allowed: up to {} of memory (a coarser --quality or grid.dx_m)",
-                                   scene_.file.string(), key, what, words(bytes), words(there_)));
+      throw InputError(fmt::format("{}: found {} (at least {}), allowed: up to {} of memory (a coarser --quality or grid.dx_m)",
+                                   scene_.at(key), what, words(bytes), words(there_)));
   }
 
  private:
@@ -78,9 +78,9 @@ void check_size(const Scene& scene) {
                 size.points * per_particle + poisson_cells * sizeof(std::int32_t));
     if (size.places > k_most_places)
       throw InputError(
-          fmt::format("{}: {}: found bounds with room for about {:.2g} particles, allowed: up to {:.2g} (parts that lie far apart as "
+          fmt::format("{}: found bounds with room for about {:.2g} particles, allowed: up to {:.2g} (parts that lie far apart as "
                       "bodies of their own)",
-                      scene.file.string(), s.name, size.places, k_most_places));
+                      scene.at(s.name), size.places, k_most_places));
   }
 }
 

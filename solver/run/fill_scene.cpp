@@ -44,8 +44,8 @@ class Expected {
   void in_domain(const Point& x) const {
     if (!geometry_.holds(x))
       throw InputError(
-          fmt::format("{}: {}: found a particle at ({:g}, {:g}, {:g}) m, outside the domain, allowed: bodies and emitters inside it",
-                      scene_.file.string(), name_, x[0], x[1], x[2]));
+          fmt::format("{}: found a particle at ({:g}, {:g}, {:g}) m, outside the domain, allowed: bodies and emitters inside it",
+                      scene_.at(name_), x[0], x[1], x[2]));
   }
   /// Is every point that is no further away than `reach` along each axis in the domain?
   bool surely_in_domain(const Point& x, double reach) const {
@@ -55,9 +55,9 @@ class Expected {
   void some(bool any) const {
     if (!any)
       throw InputError(
-          fmt::format("{}: {}: found no particle in its shape at dx = {:.4g} m, allowed: a shape of some cells' size (a finer "
+          fmt::format("{}: found no particle in its shape at dx = {:.4g} m, allowed: a shape of some cells' size (a finer "
                       "--quality or grid.dx_m, more particles_per_cell)",
-                      scene_.file.string(), name_, scene_.dx()));
+                      scene_.at(name_), scene_.dx()));
   }
 
  private:
@@ -89,11 +89,16 @@ void check_lattice(const Scene& scene, const ShapeToFill& s) {
 
 ParticlesFile read_file(const Scene& scene, std::size_t number) {
   const auto& path = scene.bodies[number].particles_file;
-  ParticlesFile file = read_particles(path);
-  for (const std::int32_t m : file.materials)
-    if (m < 0 || m >= static_cast<std::int32_t>(scene.materials.size()))
-      throw InputError(fmt::format("{}: material: found {}, allowed: 0 to {}", path.string(), m, scene.materials.size() - 1));
   const std::string name = name_of_body(number);
+  ParticlesFile file;
+  try {
+    file = read_particles(path);
+    for (const std::int32_t m : file.materials)
+      if (m < 0 || m >= static_cast<std::int32_t>(scene.materials.size()))
+        throw InputError(fmt::format("{}: material: found {}, allowed: 0 to {}", path.string(), m, scene.materials.size() - 1));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", scene.at(name + ".particles_file"), error.what()));
+  }
   const Expected expected(scene, name);
   for (const Point& x : file.positions) expected.in_domain(x);
   return file;

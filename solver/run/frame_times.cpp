@@ -31,9 +31,9 @@ FrameTimes::FrameTimes(const Scene& scene, std::optional<int> frames)
     if (!ends_at_a_frame) whole_ = last_ - 1;
   } else if (!frames) {
     throw InputError(
-        fmt::format("{}: run.end_s: found {:g} s, that is {:.3g} frames at {:g} a second, allowed: up to {:g} frames (a smaller "
+        fmt::format("{}: found {:g} s, that is {:.3g} frames at {:g} a second, allowed: up to {:g} frames (a smaller "
                     "run.end_s or run.frame_rate_per_s)",
-                    scene.file.string(), scene_end_s_, count, rate_, k_most_frames));
+                    scene.at("run.end_s"), scene_end_s_, count, rate_, k_most_frames));
   }
   if (!frames) return;
   if (*frames > last_) whole_ = k_all;

@@ -102,7 +102,7 @@ std::vector<MadeSkin> make_skins(const Scene& scene) {
   for (std::size_t s = 0; s < scene.skins.size(); ++s) try {
       skins.push_back(make_skin(scene, scene.skins[s]));
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}: {}", scene.file.string(), name_of_skin(s), error.what()));
+      throw InputError(fmt::format("{}: {}", scene.at(name_of_skin(s)), error.what()));
     }
   return skins;
 }

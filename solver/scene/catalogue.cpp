@@ -29,6 +29,15 @@ std::vector<CatalogueKey> described_keys() {
   return keys;
 }
 
+/// ", elasticity with motion, ...": effects that need others.
+std::string needs() {
+  std::string text;
+  for_each_effect([&]<class E>() {
+    if (!E::needs.empty()) text += fmt::format(", {} with {}", E::name, fmt::join(E::needs, " and "));
+  });
+  return text;
+}
+
 CatalogueSection top_of_file() {
   return {"",
           "top of the file",
@@ -36,7 +45,7 @@ CatalogueSection top_of_file() {
           "what the scene is called and which physics it has",
           {{"title", "", allowed<std::string>({}), "none", "one line for people"},
            {"effects", "", fmt::format("a list of \"{}\"", fmt::join(effect_names(), "\", \"")), "[]",
-            "the physics that is on; what is not listed costs nothing, and its keys are checked but not used"}}};
+            fmt::format("the physics that is on{}; what is not listed costs nothing, and its keys are checked but not used", needs())}}};
 }
 
 template <class Value>

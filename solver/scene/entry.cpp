@@ -95,6 +95,11 @@ std::string SceneEntry::place_of(const toml::source_region& source) const {
   return fmt::format("{}:{}", document_->name, source.begin.line);
 }
 
+SceneEntry SceneEntry::kept() const {
+  document_->places[name_] = place_;
+  return *this;
+}
+
 std::string SceneEntry::child_name(std::string_view key) const {
   return name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, quotable(key));
 }
@@ -102,7 +107,7 @@ std::string SceneEntry::child_name(std::string_view key) const {
 std::optional<SceneEntry> SceneEntry::find(std::string_view key) const {
   const toml::node* member = node_->as_table()->get(key);
   if (!member) return std::nullopt;
-  return SceneEntry(*this, *member, child_name(key));
+  return SceneEntry(*this, *member, child_name(key)).kept();
 }
 
 std::optional<SceneEntry> SceneEntry::find(std::string_view key, const char* former) const {
@@ -119,7 +124,7 @@ SceneEntry SceneEntry::absent_table(std::string_view key) const { return SceneEn
 std::vector<SceneEntry> SceneEntry::elements() const {
   std::vector<SceneEntry> entries;
   for (const toml::node& element : *node_->as_array()) {
-    entries.push_back(SceneEntry(*this, element, child_name(std::to_string(entries.size()))));
+    entries.push_back(SceneEntry(*this, element, child_name(std::to_string(entries.size()))).kept());
   }
   return entries;
 }
@@ -134,7 +139,7 @@ std::vector<SceneEntry> SceneEntry::tables(std::string_view key) const {
 SceneEntry SceneEntry::renamed(std::string_view last_part) const {
   SceneEntry other = *this;
   other.name_ = fmt::format("{}.{}", name_.substr(0, name_.rfind('.')), quotable(last_part));
-  return other;
+  return other.kept();
 }
 
 void SceneEntry::complain(std::string_view problem) const {

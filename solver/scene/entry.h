@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,7 +19,8 @@ namespace bake {
 struct Document {
   std::string name;
   std::filesystem::path folder;
-  mutable std::vector<std::string> notices = {};  ///< lines for the user, added while reading: keys under former names
+  mutable std::vector<std::string> notices = {};           ///< lines for the user, added while reading: keys under former names
+  mutable std::map<std::string, std::string> places = {};  ///< of all entries that were read, by dotted name: "bread.toml:12"
 };
 
 /// A node of the parsed file with its dotted name. The entry refers to the document and the node, which must outlive it.
@@ -58,6 +60,7 @@ class SceneEntry {
   SceneEntry(const SceneEntry& parent, const toml::node& node, std::string name);
   std::string place_of(const toml::source_region& source) const;
   std::string child_name(std::string_view key) const;
+  SceneEntry kept() const;  ///< this entry, its place now among those of the document
 
   const Document* document_;
   const toml::node* node_;

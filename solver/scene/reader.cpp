@@ -128,6 +128,7 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& name, cons
   scene.quality = options.quality;
   read_root(SceneEntry(document, table), scene);
   scene.notices = document.notices;
+  scene.places = document.places;
   return scene;
 }
 

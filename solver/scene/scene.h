@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -261,9 +262,11 @@ struct Scene {
   std::vector<DomainFace> faces;
   std::vector<Emitter> emitters;
   std::vector<Skin> skins;
-  std::vector<std::string> notices;  ///< lines for the author of the file: keys that were read under their former names
+  std::vector<std::string> notices;           ///< lines for the author of the file: keys that were read under their former names
+  std::map<std::string, std::string> places;  ///< where keys were found, by dotted name: "bread.toml:12", "override 'run.end_s=2'"
 
   bool lists(std::string_view effect) const;                     ///< is the effect on?
+  std::string at(const std::string& key) const;                  ///< how a message about that key begins: "bread.toml:12: run.end_s"
   double dx() const { return grid.dx_m * coarsening(quality); }  ///< node distance of this run [m]
   template <class Effect>
   const typename Effect::Settings& of() const {

@@ -81,6 +81,8 @@ std::vector<std::string> warnings_about(const Scene& scene) {
         warnings.push_back(
             fmt::format("{}.{}.temperature_C is given, but effects does not list heat: it has that of its material", table, i));
   };
+  if (scene.surface.form == Form::published && scene.surface.keep_dx > 0)
+    warnings.push_back("surface.keep_dx is given, but surface.form is published: that surface is measured in every step");
   ignored("body", scene.bodies);
   ignored("emitter", scene.emitters);
   return warnings;

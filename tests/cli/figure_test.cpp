@@ -180,6 +180,7 @@ TEST_F(AFigure, ThatIsNotThereIsRefused) {
   expect_refused(place, "figure 1 --all", "--all: found an item");
   expect_refused(place, "figure costs", "table 1 (costs): not there yet, allowed: an item that is done");
   expect_refused(place, "table 1", "table 1 (costs): not there yet");
+  expect_refused(place, "table 9", "unknown table '9'; allowed: costs (bake list figures)");
   expect_refused(place, "figure 1 --only-run sotf", "--only-run: unknown run 'sotf'; did you mean 'soft'?");
   figure("", "metric = \"volume_gain\"", "metric = \"volume_gian\"");
   expect_refused(place, "figure 1", "figure.toml:11: claim.0.metric: unknown metric 'volume_gian'; did you mean 'volume_gain'?");

@@ -70,10 +70,10 @@ Dough everything() {
   return dough;
 }
 
-constexpr int k_steps = 40;
+constexpr int k_steps_flown = 40;
 
 template <class Real>
-std::map<std::int64_t, Now> flown(const Scene& scene, const std::vector<NewParticle>& particles, int steps = k_steps) {
+std::map<std::int64_t, Now> flown(const Scene& scene, const std::vector<NewParticle>& particles, int steps = k_steps_flown) {
   Engine<Real> engine(scene);
   engine.add(particles);
   const double dt = 1 / scene.run.frame_rate_per_s;
@@ -181,18 +181,18 @@ TEST(TheResult, TurnedByARightAngleIsTheTurnedResult) {
   }
 }
 
-constexpr double k_radius = 0.25;
+constexpr double k_ball_radius = 0.25;
 
 /// A ball of particles on a lattice of half cells, spinning and stretching.
 std::vector<NewParticle> lattice_ball(const Scene& scene, double dx) {
   std::vector<NewParticle> particles;
   const double h = dx / 2;
-  const int most = static_cast<int>(k_radius / h);
+  const int most = static_cast<int>(k_ball_radius / h);
   for (int i = -most; i < most; ++i)
     for (int j = -most; j < most; ++j)
       for (int k = -most; k < most; ++k) {
         const Vector3 r{(i + 0.5) * h, (j + 0.5) * h, (k + 0.5) * h}, angular_velocity{3, -4, 5};
-        if (length(r) < k_radius)
+        if (length(r) < k_ball_radius)
           particles.push_back(
               {r, h * h * h, 0, cross(angular_velocity, r) + Vector3{2 * r[0], -r[1], 3 * r[2]}, angular_velocity, &scene.bodies[0]});
       }
@@ -231,7 +231,7 @@ Difference turned_and_boosted(double dx, const Rotation& turn, const Vector3& bo
   Dough dough = everything();
   dough.dx = dx;
   const Scene scene = dough.scene();
-  const double time = k_steps * dough.frame_s;
+  const double time = k_steps_flown * dough.frame_s;
   const auto particles = lattice_ball(scene, dx);
   auto others = turned(turn, particles);
   for (NewParticle& p : others) p.velocity = p.velocity + boost;
@@ -251,8 +251,8 @@ void expect_within_a_cell(const Rotation& turn, const Vector3& boost) {
   for (const auto& [difference, dx] : {std::pair{before, coarse}, {after, fine}}) {
     testing::Test::RecordProperty(fmt::format("position_at_dx_{}", dx), fmt::format("{:.4f}", difference.position));
     testing::Test::RecordProperty(fmt::format("scalar_at_dx_{}", dx), fmt::format("{:.4f}", difference.scalar));
-    EXPECT_LE(difference.position, dx * dx / (k_radius * k_radius)) << "dx = " << dx;
-    EXPECT_LE(difference.scalar, dx / k_radius) << "dx = " << dx;
+    EXPECT_LE(difference.position, dx * dx / (k_ball_radius * k_ball_radius)) << "dx = " << dx;
+    EXPECT_LE(difference.scalar, dx / k_ball_radius) << "dx = " << dx;
   }
   EXPECT_LT(after.scalar, before.scalar);
 }

@@ -17,7 +17,7 @@ Dough covered(const std::string& skin = "density_kg_per_m3 = 1000", const std::s
 }
 
 /// The same, drying and moving.
-Dough drying_fruit(const std::string& skin) {
+Dough fruit_that_moves(const std::string& skin) {
   Dough dough = covered(skin);
   dough.effects = "motion, water, elasticity";
   dough.material = Dough::properties(Dough::moving_water());
@@ -89,7 +89,7 @@ TEST(ASkin, ExchangesItsEnergyWithMotionAndStrain) {
 /// The surface lies at nodes somewhat deeper than the skin: an eighth of it is at nodes that the skin covers in part only (measured: 0.13).
 TEST(Water, GoesThroughASkinAsItsPermeanceSays) {
   const auto evaporated = [](const std::string& skin) {
-    const auto s = drying_fruit(skin).begin();
+    const auto s = fruit_that_moves(skin).begin();
     take_steps(*s, 20, 1e-3);
     const Sums now(*s);
     return now.evaporated;
@@ -101,7 +101,7 @@ TEST(Water, GoesThroughASkinAsItsPermeanceSays) {
 }
 
 TEST(Water, IsKeptUnderASkin) {
-  const Dough dough = drying_fruit("permeance = 0.3");
+  const Dough dough = fruit_that_moves("permeance = 0.3");
   const auto s = dough.begin();
   const Sums start(*s);
   take_steps(*s, 50, dough.frame_s);

@@ -31,7 +31,7 @@ TEST(RecipeOf, AFractureEnergyIsRefused) {
   scene.materials[0].name = "crust";
   scene.materials[0].effects.get<Plasticity::Material>().fracture_energy_J_per_m2 = 6;
   EXPECT_EQ(message_of<InputError>([&] { recipe_of(scene); }),
-            "dough.toml: material crust: fracture_energy_J_per_m2: found 6, allowed: inf, which the textbook knows");
+            "dough.toml: material.crust.fracture_energy_J_per_m2: found 6, allowed: inf, which the textbook knows");
 }
 
 TEST(RecipeOf, SettlingIsRefused) {

@@ -13,7 +13,7 @@
 namespace bake {
 namespace {
 
-constexpr double k_dx = 1;
+constexpr double k_cell = 1;
 
 /// The home blocks of an ellipsoid with half axes `a` [cells] of six particles a cell, as a loaf has, in tiles of sixteen.
 std::vector<HomeBlock> ellipsoid(const Vector3& a, const GridGeometry& geometry) {
@@ -52,7 +52,7 @@ double balance(const std::vector<std::vector<int>>& sets, std::size_t threads) {
 }
 
 TEST(BlockColours, KeepSixteenThreadsBusyWithAHundredThousandParticles) {
-  const GridGeometry geometry({0, 0, 0}, {80, 60, 40}, k_dx);
+  const GridGeometry geometry({0, 0, 0}, {80, 60, 40}, k_cell);
   const auto blocks = ellipsoid({26, 14, 10.9}, geometry);
   const int tiles = std::accumulate(blocks.begin(), blocks.end(), 0, [](int sum, const HomeBlock& b) { return sum + b.tiles; });
   ASSERT_NEAR(16 * tiles, 1e5, 5e3);
@@ -78,7 +78,7 @@ TEST(BlockColours, KeepSixteenThreadsBusyWithAHundredThousandParticles) {
 /// Also where a ring of blocks closes, of an odd number, too.
 TEST(BlockColours, NeverShareANode) {
   for (const double length : {48., 44.}) {
-    const GridGeometry geometry({0, 0, 0}, {length, 40, 36}, k_dx, {true, false, true});
+    const GridGeometry geometry({0, 0, 0}, {length, 40, 36}, k_cell, {true, false, true});
     std::vector<HomeBlock> blocks;
     for (int x = 2; x < 2 + geometry.period(0); ++x)
       for (int y = 3; y < 8; ++y)
@@ -107,7 +107,7 @@ TEST(BlockColours, NeverShareANode) {
 }
 
 TEST(BlockColours, VisitEveryBlockOnceAndNeighboursInOneOrder) {
-  const GridGeometry geometry({0, 0, 0}, {40, 40, 40}, k_dx);
+  const GridGeometry geometry({0, 0, 0}, {40, 40, 40}, k_cell);
   const auto blocks = ellipsoid({15, 12, 14}, geometry);
   BlockColours colours;
   colours.find(blocks, geometry);

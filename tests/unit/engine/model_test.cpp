@@ -75,7 +75,7 @@ std::string refusal(const char* effects, const char* motion = "") {
 TEST(AModel, OfUnknownCombinationIsRefusedInOneLineThatListsAllKnownOnes) {
   for (const char* effects : {"motion", "", "motion, heat", "motion, heat, water"}) {
     const std::string message = refusal(effects);
-    EXPECT_EQ(message.find("built.toml: effects: found "), 0u) << message;
+    EXPECT_EQ(message.find("built.toml:1: effects: found "), 0u) << message;
     EXPECT_EQ(message.find('\n'), std::string::npos);
     for (const char* known : {" heat, ", " water, ", " heat+water, ", " motion+elasticity, ", "+plasticity+leavening"})
       EXPECT_NE(message.find(known), std::string::npos) << known << " in " << message;

@@ -16,7 +16,7 @@
 namespace bake {
 namespace {
 
-constexpr double k_dx = 0.1, k_K = 2e4 / (3 * (1 - 2 * 0.4)), k_rho = 500;
+constexpr double k_spring_dx = 0.1, k_K = 2e4 / (3 * (1 - 2 * 0.4)), k_rho = 500;
 using Places = std::vector<Point>;
 
 /// Particles of 1/8 cell at any places [dx], the origin in the middle of the domain; as the engine finds them and as a matrix has them. All
@@ -30,7 +30,7 @@ class SpringingBack : public testing::Test {
   double found(const Places& places) const {
     SceneBuilder builder;
     builder.effects = "motion, elasticity";
-    builder.dx = k_dx;
+    builder.dx = k_spring_dx;
     builder.precision = sizeof(Real) == 4 ? "single" : "double";
     builder.kernel = C::order == KernelOrder::quadratic ? "quadratic" : "cubic";
     builder.shape = "sphere = { radius_m = 0.1 }";
@@ -38,12 +38,12 @@ class SpringingBack : public testing::Test {
     const Scene scene = builder.scene();
     Engine<Real> engine(scene);
     std::vector<NewParticle> particles;
-    for (const Point& x : places) particles.push_back({k_dx * x, k_V * k_dx * k_dx * k_dx, 0, {}, {}, &scene.bodies[0]});
+    for (const Point& x : places) particles.push_back({k_spring_dx * x, k_V * k_spring_dx * k_spring_dx * k_spring_dx, 0, {}, {}, &scene.bodies[0]});
     engine.add(particles);
     std::vector<BlockColumns> one_by_one;
     for (std::int32_t b = 0; b < static_cast<std::int32_t>(engine.store().blocks.size()); ++b) one_by_one.push_back({{b, b + 1}});
-    return spring_back(C::order, engine.store(), engine.physics(), k_dx, one_by_one, engine.active_nodes() / k_block_nodes) /
-           (k_K / (k_rho * k_dx * k_dx));
+    return spring_back(C::order, engine.store(), engine.physics(), k_spring_dx, one_by_one, engine.active_nodes() / k_block_nodes) /
+           (k_K / (k_rho * k_spring_dx * k_spring_dx));
   }
 
   /// The largest eigenvalue of sum_p V_0 K (D^-1 w r)(D^-1 w r)^T on nodes of mass sum w m, by power iteration on the particles.

@@ -13,7 +13,7 @@
 namespace bake {
 namespace {
 
-constexpr double k_dx = 0.01;
+constexpr double k_fine_dx = 0.01;
 
 ShapePtr box(const Vector3& half) {
   auto made = std::make_shared<Box>();
@@ -41,11 +41,11 @@ std::vector<Collider> ball_and_slab(Contact contact) {
 
 struct Surveyed {
   Scene scene;
-  GridGeometry geometry{{0, 0, 0}, {16 * k_dx, 16 * k_dx, 16 * k_dx}, k_dx};
+  GridGeometry geometry{{0, 0, 0}, {16 * k_fine_dx, 16 * k_fine_dx, 16 * k_fine_dx}, k_fine_dx};
   ActiveBlocks active;
   explicit Surveyed(std::vector<Collider> colliders) {
     scene.domain.min_m = {0, 0, 0};
-    scene.domain.max_m = {16 * k_dx, 16 * k_dx, 16 * k_dx};
+    scene.domain.max_m = {16 * k_fine_dx, 16 * k_fine_dx, 16 * k_fine_dx};
     scene.colliders = std::move(colliders);
     for (int x = 2; x < 6; ++x)
       for (int y = 2; y < 6; ++y)
@@ -84,7 +84,7 @@ TEST_P(ContactOfSolidsThatStand, IsThatOfSolidsThatAreAskedAnew) {
     EXPECT_EQ(kept.velocity_after(at, v, &around), expected);
     EXPECT_EQ(kept.velocity_after(at, v), fresh.velocity_after(at.x, v));
     EXPECT_EQ(kept.room(at), fresh.room(at.x));
-    EXPECT_EQ(kept.covering(at, v, 2.5 * k_dx).has_value(), fresh.covering(at.x, v, 2.5 * k_dx).has_value());
+    EXPECT_EQ(kept.covering(at, v, 2.5 * k_fine_dx).has_value(), fresh.covering(at.x, v, 2.5 * k_fine_dx).has_value());
     touched += expected != v;
     on_line += expected != fresh.velocity_after(at.x, v);
     covered += fresh.room(at.x) < 1;
@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(Rules, ContactOfSolidsThatStand, testing::Values(Contac
 
 TEST(Survey, IsOfThePresentPose) {
   Surveyed nodes(ball_and_slab(Contact::sticky));
-  for (Collider& c : nodes.scene.colliders) c.motion = {{.time_s = 1}, {.time_s = 2, .position_m = {0.5 * k_dx, 0, 0}}};
+  for (Collider& c : nodes.scene.colliders) c.motion = {{.time_s = 1}, {.time_s = 2, .position_m = {0.5 * k_fine_dx, 0, 0}}};
   Contacts kept(nodes.scene, nodes.geometry);
   std::vector<std::size_t> bytes;
   const HalfFull around;

@@ -80,6 +80,12 @@ TEST(Doubts, NameATemperatureThatNothingHas) {
   EXPECT_EQ(warnings(k_unleavened, {k_no_leavener}, body).find(said), std::string::npos);
 }
 
+TEST(Doubts, NameASurfaceThatIsNotKept) {
+  const std::string kept = "[surface]\nkeep_dx = 0.02\n", said = "surface.keep_dx is given, but surface.form is published";
+  EXPECT_EQ(warnings(k_all, {}, kept + "form = 'published'\n").find(said), 0U);
+  EXPECT_EQ(warnings(k_all, {}, kept), "");
+}
+
 TEST(Doubts, NameMotionOfWhatNothingMoves) {
   const std::string still = "effects lists motion, which cannot matter: there is no gravity, nothing else moves and nothing swells";
   const std::string press = "[[collider]]\nname = \"press\"\nshape = { half_space = { normal = [0, 0, 1] } }\n";
