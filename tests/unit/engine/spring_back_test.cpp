@@ -38,7 +38,8 @@ class SpringingBack : public testing::Test {
     const Scene scene = builder.scene();
     Engine<Real> engine(scene);
     std::vector<NewParticle> particles;
-    for (const Point& x : places) particles.push_back({k_spring_dx * x, k_V * k_spring_dx * k_spring_dx * k_spring_dx, 0, {}, {}, &scene.bodies[0]});
+    for (const Point& x : places)
+      particles.push_back({k_spring_dx * x, k_V * k_spring_dx * k_spring_dx * k_spring_dx, 0, {}, {}, &scene.bodies[0]});
     engine.add(particles);
     std::vector<BlockColumns> one_by_one;
     for (std::int32_t b = 0; b < static_cast<std::int32_t>(engine.store().blocks.size()); ++b) one_by_one.push_back({{b, b + 1}});
