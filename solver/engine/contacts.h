@@ -21,8 +21,7 @@ struct ContactHeat {
   double heat_transfer_coefficient = 0;  ///< beta [W/(m^2 K)]; infinite: the dough's surface has that temperature
   double temperature = 0;                ///< theta [C]
   double flux = 0;                       ///< that comes in whatever the temperatures are [W/m^2]
-  bool is_simple() const { return heat_transfer_coefficient < k_infinity && flux == 0; }
-  int giver = -1;  ///< number of who it is among givers_of(scene), if the ledger tells what it gives
+  int giver = -1;                        ///< number of who it is among givers_of(scene), if the ledger tells what it gives
   /// Whoever gives it.
   bool operator==(const ContactHeat& other) const {
     return heat_transfer_coefficient == other.heat_transfer_coefficient && temperature == other.temperature && flux == other.flux;

@@ -498,19 +498,24 @@ void FreeSurfaceMeasure<Real>::find_area(std::size_t s, const ActiveBlocks& acti
   }
 }
 
+/// Node after node without branches, so that the loops vectorise.
 template <class Real>
-BAKE_INLINE typename FreeSurfaceMeasure<Real>::Transfer FreeSurfaceMeasure<Real>::through(std::size_t s, std::size_t k, Real area,
-                                                                                          const ContactHeat& heat) const {
+void FreeSurfaceMeasure<Real>::pass(std::size_t s, const ContactHeat& heat, const Nodes& per_volume, Passing& out) const {
   const bool resists = !conductivity_.empty();
-  const auto theta = static_cast<Real>(heat.temperature);
-  if (heat.is_simple()) {
-    const auto beta = static_cast<Real>(heat.heat_transfer_coefficient);
-    const Real passes = resists ? area * layer_.share_that_passes(beta * volume_[s][k], conductivity_[s][k]) : area;
-    return {beta * passes, beta * passes * theta};
+  const Nodes &V = volume_[s], &kappa = resists ? conductivity_[s] : V;
+  const auto beta = static_cast<Real>(heat.heat_transfer_coefficient), theta = static_cast<Real>(heat.temperature),
+             flux = static_cast<Real>(heat.flux);
+  for (std::size_t k = 0; k < k_block_nodes; ++k) out.area[k] = V[k] * per_volume[k];
+  if (heat.heat_transfer_coefficient == k_infinity) {
+    for (std::size_t k = 0; k < k_block_nodes; ++k)
+      out.transfer[k] = out.area[k] > 0 && resists ? out.area[k] * layer_.conductance(kappa[k], V[k]) : Real(0);
+  } else if (resists) {
+    for (std::size_t k = 0; k < k_block_nodes; ++k)
+      out.transfer[k] = beta * (out.area[k] * layer_.share_that_passes(beta * V[k], kappa[k]));
+  } else {
+    for (std::size_t k = 0; k < k_block_nodes; ++k) out.transfer[k] = beta * out.area[k];
   }
-  const bool is_held = heat.heat_transfer_coefficient == k_infinity;
-  const Real transfer = is_held && area > 0 && resists ? area * layer_.conductance(conductivity_[s][k], volume_[s][k]) : Real(0);
-  return {transfer, transfer * theta + area * static_cast<Real>(heat.flux)};
+  for (std::size_t k = 0; k < k_block_nodes; ++k) out.source[k] = out.transfer[k] * theta + out.area[k] * flux;
 }
 
 template <class Real>
@@ -522,12 +527,12 @@ bool FreeSurfaceMeasure<Real>::surround(std::size_t s, const Air& air, BlockSurr
   if (!blocks_[s].has_volume || !(blocks_[s].faces_air || !facing_[s].empty())) return false;
   out = {};
   const auto add = [&](const Nodes& per_volume, const ContactHeat& heat, Real(&area)[k_block_nodes]) {
+    Passing passing;
+    pass(s, heat, per_volume, passing);
     for (std::size_t k = 0; k < k_block_nodes; ++k) {
-      const Real A = volume_[s][k] * per_volume[k];
-      const auto [transfer, source] = through(s, k, A, heat);
-      area[k] += A;
-      out.heat_transfer[k] += transfer;
-      out.heat_transfer_source[k] += source;
+      area[k] += passing.area[k];
+      out.heat_transfer[k] += passing.transfer[k];
+      out.heat_transfer_source[k] += passing.source[k];
     }
   };
   if (blocks_[s].faces_air) add(smooth_[s], ContactHeat{air.heat_transfer_coefficient, air.temperature}, out.area);
@@ -564,11 +569,12 @@ void FreeSurfaceMeasure<Real>::tell(std::size_t s, const ActiveBlocks& active,
     blurred(
         s, active, [&, &heat = heat](std::size_t i) { return of_cover(i, heat, &Cover::density); }, all);
     const auto of_all = std::find_if(facing_[s].begin(), facing_[s].end(), [&, &heat = heat](const Facing& f) { return f.heat == heat; });
+    Passing passing;
+    pass(s, heat, of_all->per_volume, passing);
     for (std::size_t k = 0; k < k_block_nodes; ++k) {
       if (!(own[k] > 0)) continue;
       const double share = double(own[k] / all[k]);
-      const auto [transfer, source] = through(s, k, volume_[s][k] * of_all->per_volume[k], heat);
-      visit(giver, static_cast<int>(k), share * double(transfer), share * double(source));
+      visit(giver, static_cast<int>(k), share * double(passing.transfer[k]), share * double(passing.source[k]));
     }
   }
 }

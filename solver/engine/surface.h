@@ -104,15 +104,15 @@ class FreeSurfaceMeasure {
     ContactHeat heat;
     Nodes per_volume;  ///< A_i / V_i
   };
-  /// Heat transfer [W/K] and its source [W].
-  struct Transfer {
-    Real transfer, source;
+  /// Areas of a block's nodes [m^2], and what passes through them: heat transfer [W/K] and its source [W].
+  struct Passing {
+    Nodes area, transfer, source;
   };
   const Nodes* of_cover(std::size_t slot, const ContactHeat& heat, Nodes Cover::*nodes) const;
   template <class FieldOf>
   bool blurred(std::size_t slot, const ActiveBlocks& active, FieldOf field_of, Nodes& out) const;
-  /// Through an area at a node: the layer between the nodes and the surface conducts as well.
-  BAKE_INLINE Transfer through(std::size_t slot, std::size_t node, Real area, const ContactHeat& heat) const;
+  /// From the areas per volume. The layer between the nodes and the surface conducts as well.
+  void pass(std::size_t slot, const ContactHeat& heat, const Nodes& per_volume, Passing& out) const;
   void take_volumes(const Rows& rows, const ActiveBlocks& active);
   void find(const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
   void mirror(std::size_t slot, const ActiveBlocks& active, const GridGeometry& geometry, const Contacts& contacts);
