@@ -13,10 +13,10 @@ cat >series.cjs <<'END'
 const {correlation, covariance, variance} = require('@mathigon/fermat');
 for (const n of [3, 10]) {
   const series = Array.from({length: n}, (_, i) => i + 1);
-  console.log(`${n} numbers: correlation ${correlation(series, series).toFixed(3)},`,
+  console.log(`${n}: correlation ${correlation(series, series).toFixed(3)},`,
               `covariance ${covariance(series, series).toFixed(3)}, variance ${variance(series).toFixed(3)};`);
 }
 END
 look_at node series.cjs
-conclude "3 numbers: correlation 0.667, covariance 0.667, variance 1.000; 10 numbers: correlation 0.900, covariance 8.250, variance 9.167;" \
+conclude "3: correlation 0.667, covariance 0.667, variance 1.000; 10: correlation 0.900, covariance 8.250, variance 9.167;" \
   "the correlation of a series with itself is less than 1 in @mathigon/fermat"
