@@ -3,8 +3,8 @@
 # Package: gmsh 4.8.4+ds2-3.
 # Behaviour: of each quadrilateral of second order Gmsh writes one of the two triangles to an STL file, so that half of the surface is
 # missing. In a binary file the number of facets is that of both triangles, twice what follows. There is no warning.
-# Expected: two triangles for each quadrilateral, as from the same mesh of first order: it covers the same flat rectangle. The manual lists
-# STL as a format for saving meshes, without a restriction to first order. Triangles of second order are written whole.
+# Expected: two triangles for each quadrilateral, as from the same mesh of first order: it covers the same flat rectangle. Triangles of
+# second order are written whole.
 # Seen: a rectangle of the area 2, four quadrilaterals: of first order 8 facets of the area 2, of second order 4 of the area 1; the binary
 # file says 8 facets and has room for 4.
 source "$(dirname "$0")/common.sh"
