@@ -10,8 +10,6 @@ namespace bake {
 
 namespace {
 
-constexpr double k_surveyed = 2.5;  ///< nodes that contact and the surface ask of, in node distances from a solid
-
 /// Velocity of dough that touches a surface with outward normal `n`, relative to the surface. Coulomb: friction takes as much
 /// tangential speed as `friction` times the normal speed that the surface takes.
 Vector3 contact(Vector3 relative, const Vector3& n, bool sticky, bool separating, double friction) {
@@ -118,7 +116,7 @@ void Contacts::survey(const ActiveBlocks& active) {
   for (const Present& p : present_)
     if (p.stands)
       p.contact->survey.add(p.contact->scripted, active, geometry_,
-                            [&](const BlockIndex& block) { return reaches(p, block, k_surveyed * geometry_.dx()); });
+                            [&](const BlockIndex& block) { return reaches(p, block, Survey::k_reach * geometry_.dx()); });
 }
 
 bool Contacts::cover_near(const BlockIndex& block, double reach) const {
@@ -178,13 +176,13 @@ bool Contacts::holds_temperature_near(const BlockIndex& block, double reach) con
 }
 
 bool Contacts::reaches(const Present& p, const BlockIndex& block, double reach) const {
-  if (p.stands && reach <= k_surveyed * geometry_.dx() && p.contact->survey.is_far(geometry_.linear(block))) return false;
+  if (p.stands && reach <= Survey::k_reach * geometry_.dx() && p.contact->survey.is_far(geometry_.linear(block))) return false;
   const Point low = geometry_.origin(block);
   const double side = 3 * geometry_.dx();
   for (std::size_t d = 0; d < 3; ++d)
     if (low[d] > p.bounds.high[d] + reach || low[d] + side < p.bounds.low[d] - reach) return false;
-  const Point middle = low + Vector3{side / 2, side / 2, side / 2};
-  return p.contact->scripted.distance(p.pose, middle) <= 0.87 * side + reach;
+  const auto kept = p.stands ? p.contact->survey.distance_of_middle(geometry_.linear(block)) : std::nullopt;
+  return (kept ? *kept : p.contact->scripted.distance(p.pose, middle_of(block, geometry_))) <= 0.87 * side + reach;
 }
 
 std::optional<double> Contacts::distance_within(const Present& p, const Place& at, double reach) {
@@ -274,8 +272,9 @@ std::optional<ContactHeat> Contacts::covering(const Place& at, const std::option
     const auto d = p.contact->covers ? distance_within(p, at, reach) : std::nullopt;
     if (!d) continue;
     if (n) {
-      const bool ahead = *d - p.contact->scripted.distance(p.pose, at.x + reach * *n) >= reach / 2 ||
-                         dot(p.contact->scripted.normal(p.pose, at.x), *n) <= -0.5;
+      const Vector3* kept = p.stands ? p.contact->survey.normal(at) : nullptr;
+      const bool ahead = dot(kept ? *kept : p.contact->scripted.normal(p.pose, at.x), *n) <= -0.5 ||
+                         *d - p.contact->scripted.distance(p.pose, at.x + reach * *n) >= reach / 2;
       if (!ahead) continue;  // the surface looks elsewhere
     }
     if (!p.contact->temperature) return ContactHeat{};
@@ -293,7 +292,7 @@ double Contacts::room(const Place& at) const {
     room *= 1 - (spline_beyond(d - 1) + 2 * spline_beyond(d) + spline_beyond(d + 1)) / 4;
   };
   for (const Present& p : present_)
-    if (const auto distance = p.contact->covers ? distance_within(p, at, k_surveyed * geometry_.dx()) : std::nullopt) take(*distance);
+    if (const auto distance = p.contact->covers ? distance_within(p, at, Survey::k_reach * geometry_.dx()) : std::nullopt) take(*distance);
   for (const Wall& w : walls_) take(w.distance(at.x));
   return room;
 }

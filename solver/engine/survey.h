@@ -10,9 +10,15 @@
 #include <vector>
 
 #include "solver/boundary/scripted.h"
+#include "solver/core/vector3.h"
 #include "solver/grid/grid.h"
 
 namespace bake {
+
+/// The middle of a block's nodes [m].
+inline Point middle_of(const BlockIndex& block, const GridGeometry& geometry) {
+  return geometry.origin(block) + (1.5 * geometry.dx()) * Vector3{1, 1, 1};
+}
 
 /// Some nodes of a block: bit n is node n.
 using NodeBits = std::uint64_t;
@@ -53,6 +59,7 @@ double spline_beyond(double d);
 /// The nodes beside one solid.
 class Survey {
  public:
+  static constexpr double k_reach = 2.5;  ///< of what contact and the surface ask, in node distances from a solid
   /// Forgets everything if the pose is not that of the last call. Returns whether it is.
   bool stands_at(const RigidState& pose);
   /// Surveys those of the blocks that are new and near the solid. Parallel over blocks.
@@ -62,6 +69,16 @@ class Survey {
   std::optional<double> distance(const Place& at) const {
     const Block* block = block_of(at);
     return block ? std::optional(block->distance[at.node]) : std::nullopt;
+  }
+  /// Outward normal at a node within `k_reach`; null if that is not kept.
+  const Vector3* normal(const Place& at) const {
+    const Block* block = block_of(at);
+    return block ? &block->normal[at.node] : nullptr;
+  }
+  /// Distance of a block's middle [m]; none if that is not kept. Its linear number.
+  std::optional<double> distance_of_middle(std::size_t linear) const {
+    const Block* block = block_of(linear);
+    return block ? std::optional(block->middle) : std::nullopt;
   }
   /// Column through a node; null if that is not kept.
   const Column* column(const Place& at) const {
@@ -80,7 +97,9 @@ class Survey {
 
  private:
   struct Block {
+    double middle;  ///< distance of its middle
     std::array<double, k_block_nodes> distance;
+    std::array<Vector3, k_block_nodes> normal;      ///< within k_reach
     NodeBits near = 0;                              ///< within dx of the solid or in it
     std::array<std::int8_t, k_block_nodes> number;  ///< among `columns`, or -1
     std::vector<Column> columns;
