@@ -186,8 +186,7 @@ bool Contacts::reaches(const Present& p, const BlockIndex& block, double reach) 
 }
 
 std::optional<double> Contacts::distance_within(const Present& p, const Place& at, double reach) {
-  for (std::size_t d = 0; d < 3; ++d)  // first what costs little
-    if (at.x[d] > p.bounds.high[d] + reach || at.x[d] < p.bounds.low[d] - reach) return std::nullopt;
+  if (!is_within(p.bounds, at.x, reach)) return std::nullopt;  // first what costs little
   const auto kept = p.stands ? p.contact->survey.distance(at) : std::nullopt;
   const double distance = kept ? *kept : p.contact->scripted.distance(p.pose, at.x);
   return distance <= reach ? std::optional(distance) : std::nullopt;
@@ -286,14 +285,16 @@ std::optional<ContactHeat> Contacts::covering(const Place& at, const std::option
 }
 
 double Contacts::room(const Place& at) const {
+  const auto left_at = [&](double distance) { return share_left(distance / geometry_.dx()); };
   double room = 1;
-  const auto take = [&](double distance) {
-    const double d = distance / geometry_.dx();
-    room *= 1 - (spline_beyond(d - 1) + 2 * spline_beyond(d) + spline_beyond(d + 1)) / 4;
-  };
-  for (const Present& p : present_)
-    if (const auto distance = p.contact->covers ? distance_within(p, at, Survey::k_reach * geometry_.dx()) : std::nullopt) take(*distance);
-  for (const Wall& w : walls_) take(w.distance(at.x));
+  for (const Present& p : present_) {
+    if (!p.contact->covers || (p.stands && p.contact->survey.is_far(at))) continue;
+    if (const auto kept = p.stands ? p.contact->survey.share_left(at) : std::nullopt)
+      room *= *kept;
+    else if (const auto distance = distance_within(p, at, Survey::k_reach * geometry_.dx()))
+      room *= left_at(*distance);
+  }
+  for (const Wall& w : walls_) room *= left_at(w.distance(at.x));
   return room;
 }
 

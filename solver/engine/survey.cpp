@@ -74,7 +74,8 @@ void Survey::add(const ScriptedShape& solid, const ActiveBlocks& active, const G
 }
 
 Survey::Block Survey::find(const ScriptedShape& solid, const BlockIndex& at, const GridGeometry& geometry) const {
-  const double dx = geometry.dx();
+  const double dx = geometry.dx(), reach = k_reach * dx;
+  const Box3 bounds = solid.bounds(*pose_);
   Block block;
   block.middle = solid.distance(*pose_, middle_of(at, geometry));
   for (int n = 0; n < k_block_nodes; ++n) {
@@ -82,7 +83,8 @@ Survey::Block Survey::find(const ScriptedShape& solid, const BlockIndex& at, con
     const double distance = solid.distance(*pose_, x);
     const bool has_column = distance <= dx && distance >= -2 * dx;
     block.distance[static_cast<std::size_t>(n)] = distance;
-    block.normal[static_cast<std::size_t>(n)] = distance <= k_reach * dx ? solid.normal(*pose_, x) : Vector3{0, 0, 0};
+    block.share_left[static_cast<std::size_t>(n)] = is_within(bounds, x, reach) && distance <= reach ? bake::share_left(distance / dx) : 1;
+    block.normal[static_cast<std::size_t>(n)] = distance <= reach ? solid.normal(*pose_, x) : Vector3{0, 0, 0};
     if (distance <= dx) block.near |= NodeBits{1} << n;
     block.number[static_cast<std::size_t>(n)] = has_column ? static_cast<std::int8_t>(block.columns.size()) : std::int8_t{-1};
     if (has_column) block.columns.push_back(find_column(solid, *pose_, x, distance, dx));

@@ -15,6 +15,13 @@
 
 namespace bake {
 
+/// Is `x` in the box, or within `reach` of it along each axis?
+inline bool is_within(const Box3& box, const Point& x, double reach) {
+  for (std::size_t d = 0; d < 3; ++d)
+    if (x[d] > box.high[d] + reach || x[d] < box.low[d] - reach) return false;
+  return true;
+}
+
 /// The middle of a block's nodes [m].
 inline Point middle_of(const BlockIndex& block, const GridGeometry& geometry) {
   return geometry.origin(block) + (1.5 * geometry.dx()) * Vector3{1, 1, 1};
@@ -56,6 +63,9 @@ Column find_column(const ScriptedShape& solid, const RigidState& pose, const Poi
 /// The integral of the quadratic B-spline from `d` on.
 double spline_beyond(double d);
 
+/// The share that a solid leaves to the dough of what is averaged into phi~ (surface.h), at `d` node distances from its face.
+inline double share_left(double d) { return 1 - (spline_beyond(d - 1) + 2 * spline_beyond(d) + spline_beyond(d + 1)) / 4; }
+
 /// The nodes beside one solid.
 class Survey {
  public:
@@ -69,6 +79,11 @@ class Survey {
   std::optional<double> distance(const Place& at) const {
     const Block* block = block_of(at);
     return block ? std::optional(block->distance[at.node]) : std::nullopt;
+  }
+  /// share_left of a node; none if that is not kept.
+  std::optional<double> share_left(const Place& at) const {
+    const Block* block = block_of(at);
+    return block ? std::optional(block->share_left[at.node]) : std::nullopt;
   }
   /// Outward normal at a node within `k_reach`; null if that is not kept.
   const Vector3* normal(const Place& at) const {
@@ -85,7 +100,9 @@ class Survey {
     const Block* block = block_of(at);
     return block && block->number[at.node] >= 0 ? &block->columns[static_cast<std::size_t>(block->number[at.node])] : nullptr;
   }
-  /// Is the block known to be far from the solid? Its linear number.
+  /// Is the node known to be further than `k_reach` from the solid?
+  bool is_far(const Place& at) const { return at.block >= 0 && is_far(static_cast<std::size_t>(at.block)); }
+  /// Is the block? Its linear number.
   bool is_far(std::size_t block) const { return block < number_.size() && number_[block] == far; }
   /// The nodes of a block that lie within dx of the solid or in it; all of them if that is not kept.
   NodeBits near(std::size_t block) const {
@@ -98,7 +115,7 @@ class Survey {
  private:
   struct Block {
     double middle;  ///< distance of its middle
-    std::array<double, k_block_nodes> distance;
+    std::array<double, k_block_nodes> distance, share_left;
     std::array<Vector3, k_block_nodes> normal;      ///< within k_reach
     NodeBits near = 0;                              ///< within dx of the solid or in it
     std::array<std::int8_t, k_block_nodes> number;  ///< among `columns`, or -1
