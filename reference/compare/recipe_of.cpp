@@ -84,14 +84,14 @@ textbook::Material plain(const Material& m) {
 
 /// `thing`: a collider or a grip.
 template <class Thing>
-textbook::Solid solid_at(const Thing& thing, double time_s) {
+textbook::Solid solid_at(const Thing& thing, double time_s, double dt) {
   const ScriptedShape scripted{thing.shape, RigidPath(thing.motion, thing.pivot_m), thing.from_s, thing.until_s};
   const RigidState pose = scripted.path.at(time_s);
   textbook::Solid solid;
   solid.distance = [=](const textbook::Vector& x) { return scripted.distance(pose, packed(x)); };
   solid.normal = [=](const textbook::Vector& x) { return plain(scripted.normal(pose, packed(x))); };
   solid.velocity = [=](const textbook::Vector& x) { return plain(pose.velocity_at(packed(x))); };
-  if (thing.temperature_C) solid.theta = (*thing.temperature_C)(time_s);
+  if (thing.temperature_C) solid.theta = thing.temperature_C->mean(time_s, time_s + dt);
   return solid;
 }
 
@@ -180,11 +180,11 @@ textbook::Recipe recipe_of(const Scene& scene) {
 textbook::Surroundings surroundings_of(const Scene& scene, double time_s, double dt) {
   textbook::Surroundings s;
   s.gravity = plain(scene.of<Motion>().gravity_m_per_s2.mean(time_s, time_s + dt));
-  s.air = {scene.oven.heat_transfer_coefficient_W_per_m2K(time_s), scene.oven.temperature_C(time_s),
-           scene.oven.equilibrium_saturation(time_s)};
+  const auto mean = [&](const Curve& curve) { return curve.mean(time_s, time_s + dt); };
+  s.air = {mean(scene.oven.heat_transfer_coefficient_W_per_m2K), mean(scene.oven.temperature_C), mean(scene.oven.equilibrium_saturation)};
   for (const Collider& collider : scene.colliders) {
     if (!present(collider, time_s)) continue;
-    s.solids.push_back(solid_at(collider, time_s));
+    s.solids.push_back(solid_at(collider, time_s, dt));
     s.solids.back().rule = plain(collider.contact);
     s.solids.back().friction = collider.friction;
     s.solids.back().expels = collider.expels;
@@ -193,7 +193,7 @@ textbook::Surroundings surroundings_of(const Scene& scene, double time_s, double
   }
   for (const Grip& grip : scene.grips) {
     if (!present(grip, time_s)) continue;
-    s.solids.push_back(solid_at(grip, time_s));
+    s.solids.push_back(solid_at(grip, time_s, dt));
     s.solids.back().rule = textbook::Rule::sticky;
     s.solids.back().is_grip = true;
     s.solids.back().covers = false;
@@ -210,10 +210,10 @@ textbook::Surroundings surroundings_of(const Scene& scene, double time_s, double
     wall.distance = [=](const textbook::Vector& x) { return inward[axis] * (x[axis] - at); };
     wall.normal = [=](const textbook::Vector&) { return inward; };
     if (face.temperature_C) {
-      wall.theta = (*face.temperature_C)(time_s);
+      wall.theta = mean(*face.temperature_C);
       wall.beta = face.heat_transfer_coefficient_W_per_m2K.value_or(k_infinity);
     }
-    if (face.heat_flux_W_per_m2) wall.flux = (*face.heat_flux_W_per_m2)(time_s);
+    if (face.heat_flux_W_per_m2) wall.flux = mean(*face.heat_flux_W_per_m2);
     s.walls.push_back(wall);
   }
   return s;

@@ -86,15 +86,41 @@ double room(const Surroundings& surroundings, const Vector& x, double dx) {
   return std::max(room, 0.05);
 }
 
-/// The first of them within `reach` of x that faces the surface there (outward normal n, if known).
-const Solid* covering(const Surroundings& surroundings, const Vector& x, const Vector* n, double reach) {
-  for (const Solid* solid : what_covers(surroundings)) {
-    if (solid->distance(x) > reach) continue;
-    if (n && dot(solid->normal(x), *n) > -0.5 && solid->distance(x) - solid->distance(x + reach * *n) < reach / 2)
-      continue;  // looks elsewhere
-    return solid;
-  }
+/// The first of them within `reach` of x.
+const Solid* covering(const Surroundings& surroundings, const Vector& x, double reach) {
+  for (const Solid* solid : what_covers(surroundings))
+    if (solid->distance(x) <= reach) return solid;
   return nullptr;
+}
+
+/// A solid before a surface, and its share of the surface.
+struct Facing {
+  const Solid* solid;
+  double share;
+};
+
+/// Those of them within `reach` of x, of the outward normal n there, that look at it or that come nearer along n. One must do so by a half;
+/// of several each has a share: walls at right angles n . n_s, solids side by side half of it.
+std::vector<Facing> covering(const Surroundings& surroundings, const Vector& x, const Vector& n, double reach) {
+  std::vector<Facing> all;
+  double most = 0;
+  for (const Solid* solid : what_covers(surroundings)) {
+    if (solid->distance(x) > reach || all.size() == 4) continue;
+    double facing = -dot(solid->normal(x), n);
+    if (facing < 0.5) facing = std::max(facing, (solid->distance(x) - solid->distance(x + reach * n)) / reach);
+    if (facing < 0.2) continue;
+    all.push_back({solid, facing});
+    most = std::max(most, facing);
+  }
+  if (most < 0.5) return {};
+  if (all.size() == 1) return {{all[0].solid, 1}};
+  std::vector<Facing> shares;
+  for (const Facing& f : all) {
+    double alike = 0;
+    for (const Facing& other : all) alike += std::max(dot(f.solid->normal(x), other.solid->normal(x)), 0.0);
+    shares.push_back({f.solid, f.share / alike});
+  }
+  return shares;
 }
 
 /// beta, theta and flux behind a surface: of the solid that covers it (none if it passes no heat), or else of the air.
@@ -128,8 +154,10 @@ double unrounded(const Recipe& recipe, const Bent& bent) {
 struct Density {
   Field r, r_K, r_K2;
   explicit Density(const Grid& grid) : r{grid}, r_K{grid}, r_K2{grid} {}
-  /// `edge`: share of K^2 that counts as an edge's.
-  void take(const Density& other, const Index& i, double edge) { r[i] = other.r(i), r_K[i] = other.r_K(i), r_K2[i] = edge * other.r_K2(i); }
+  /// A share of another's; `edge`: share of K^2 that counts as an edge's.
+  void add(const Density& other, const Index& i, double share, double edge) {
+    r[i] += share * other.r(i), r_K[i] += share * other.r_K(i), r_K2[i] += edge * other.r_K2(i);
+  }
   Bent around(const Index& i) const { return {blurred(r, i), blurred(r_K, i), blurred(r_K2, i)}; }
 };
 
@@ -194,18 +222,20 @@ void measure_surface(const Surroundings& surroundings, Grid& grid) {
     grid.for_each([&](const Index& i, const Node&) {
       if (levels.r(i) == 0) return;
       const Vector outward{{levels.normal[0](i), levels.normal[1](i), levels.normal[2](i)}};
-      const Solid* cover = covering(surroundings, grid.position(i), &outward, 2.5 * dx);
-      if (solid != (cover != nullptr)) return;
+      std::vector<Facing> covers = covering(surroundings, grid.position(i), outward, 2.5 * dx);
+      if (solid == covers.empty()) return;
       const double edge = solid ? 0 : std::max(1 - 24 * (1 - smooth(i) / fill(i)), 0.0);  // a face that meets a solid ends: that is no edge
-      if (!cover) free.take(levels, i, edge);
-      const Behind behind(cover, surroundings.air);
-      const auto same = [&](const Behind& other) {
-        return other.is_solid == behind.is_solid && other.beta == behind.beta && other.theta == behind.theta && other.flux == behind.flux;
-      };
-      const auto at = std::find_if(seen.begin(), seen.end(), same);
-      const auto number = static_cast<std::size_t>(at - seen.begin());
-      if (at == seen.end()) seen.push_back(behind), facing.emplace_back(grid);
-      facing[number].take(levels, i, edge);
+      if (!solid) free.add(levels, i, 1, edge), covers = {{nullptr, 1}};
+      for (const auto& [cover, share] : covers) {
+        const Behind behind(cover, surroundings.air);
+        const auto same = [&](const Behind& other) {
+          return other.is_solid == behind.is_solid && other.beta == behind.beta && other.theta == behind.theta && other.flux == behind.flux;
+        };
+        const auto at = std::find_if(seen.begin(), seen.end(), same);
+        const auto number = static_cast<std::size_t>(at - seen.begin());
+        if (at == seen.end()) seen.push_back(behind), facing.emplace_back(grid);
+        facing[number].add(levels, i, share, edge);
+      }
     });
   }
   grid.for_each([&](const Index& i, Node& node) {
@@ -258,7 +288,7 @@ void measure_published_surface(const std::vector<Particle>& particles, const Sur
   }
   grid.for_each([&](const Index& i, Node& node) {
     if (!(node.area > 0)) return;
-    const Solid* cover = covering(surroundings, grid.position(i), nullptr, grid.dx());
+    const Solid* cover = covering(surroundings, grid.position(i), grid.dx());
     const Behind behind(cover, surroundings.air);
     node.heat_transfer = node.area * behind.beta;
     node.heat_transfer_source = node.area * (behind.beta * behind.theta + behind.flux);

@@ -39,8 +39,9 @@ inline void scatter_water_momentum(const Particle& p, const Recipe& recipe, doub
 /// d is that of the nodes, or what a half-space has that dried since tau = 0, the integral of K theta dt, before drying has gone so deep.
 inline double surface_saturation(const Recipe& recipe, const Node& node, double s_i, double s_out, double dt) {
   if (!(node.evaporability > 0)) return s_i;
+  if (!(node.permeability > 0)) return s_out;
   const double tau = node.water_spread / node.volume + dt * node.permeability / node.water_room;
-  const double h = node.permeability > 0 ? node.evaporability / node.permeability : 0, z = h * h * tau;
+  const double h = node.evaporability / node.permeability, z = h * h * tau;
   const double first = 2 / std::sqrt(std::acos(-1.)), last = 1 / (2 * 0.33206);  // of a constant flux, and of a dry surface
   const double reach = z > 0 ? std::sqrt(s_i * tau) * (first + (last - first) * z / (z + 2.15 * s_i)) : 0;
   const double e = recipe.dx * node.evaporability;

@@ -222,14 +222,16 @@ struct Water : Effect {
 
   /// s at the surface, where as much evaporates as comes through the layer of depth d between the nodes and the surface:
   ///     rho K theta (s_i^2 - s^2) / (2 d) = beta_w theta (s - s_out),
-  /// d being that of the nodes, or `reach` before drying has gone so deep. `evaporability`: V beta_w theta; `permeability`: V rho K theta.
+  /// d being that of the nodes, or `reach` before drying has gone so deep; s_out where nothing comes. `evaporability`: V beta_w theta;
+  /// `permeability`: V rho K theta.
   template <class V, class Real>
   BAKE_INLINE static V surface_saturation(V s_i, V s_out, V evaporability, V permeability, V reach, const SurfaceLayer<Real>& layer) {
     const V e = layer.dx * evaporability, tiny = 0 * e + std::numeric_limits<Real>::min();
     const V d = min(layer.dx * layer.depth(e / (e + permeability * s_i + tiny)), reach), resisted = 2 * d * evaporability;
     const V a = permeability < Real(1e12) * resisted ? permeability / resisted : Real(1e12) + 0 * e;
     const V b = s_out + a * s_i * s_i;
-    return layer.dx > 0 ? 2 * b / (1 + sqrt(1 + 4 * a * b)) : s_i;  // the root of a s^2 + s = b, without cancellation
+    const V s = permeability > 0 ? 2 * b / (1 + sqrt(1 + 4 * a * b)) : s_out;  // the root of a s^2 + s = b, without cancellation
+    return layer.dx > 0 ? s : s_i;
   }
 
   /// m_i += flux - evaporation, never below zero.

@@ -85,15 +85,16 @@ Contacts::FacePlane Contacts::plane_of(int face) const {
   return {axis, is_high ? -1.0 : 1.0, geometry_.origin({0, 0, 0})[static_cast<std::size_t>(axis)] + nodes * geometry_.dx()};
 }
 
-void Contacts::prepare(double time, bool at_rest) {
+void Contacts::prepare(double time, double dt, bool at_rest) {
+  const auto mean = [&](const Curve& curve) { return curve.mean(time, time + dt); };
   present_.clear();
   largest_speed_ = 0;
   expels_ = false;
   holds_now_ = holds_temperatures_ && !at_rest;
   covers_.clear();
   for (Wall& w : walls_) {
-    if (w.temperature) w.heat.temperature = (*w.temperature)(time);
-    if (w.flux) w.heat.flux = (*w.flux)(time);
+    if (w.temperature) w.heat.temperature = mean(*w.temperature);
+    if (w.flux) w.heat.flux = mean(*w.flux);
     covers_.insert(covers_.end(), {w.heat.temperature, w.heat.flux});
   }
   for (Contacting& c : all_) {
@@ -102,7 +103,7 @@ void Contacts::prepare(double time, bool at_rest) {
     if (!present) continue;
     RigidState pose = c.scripted.path.at(time);
     if (at_rest) pose.velocity = pose.angular_velocity = {0, 0, 0};
-    present_.push_back({&c, pose, c.scripted.bounds(pose), c.temperature ? (*c.temperature)(time) : 0, c.survey.stands_at(pose)});
+    present_.push_back({&c, pose, c.scripted.bounds(pose), c.temperature ? mean(*c.temperature) : 0, c.survey.stands_at(pose)});
     largest_speed_ = std::max(largest_speed_, c.speed);
     expels_ |= c.expels;
     if (!c.covers) continue;
@@ -266,22 +267,52 @@ Vector3 Contacts::after_all(const Place& at, Vector3 v, const NodesAround* aroun
 template Vector3 Contacts::after_all<false>(const Place&, Vector3, const NodesAround*, double, Given*) const;
 template Vector3 Contacts::after_all<true>(const Place&, Vector3, const NodesAround*, double, Given*) const;
 
-std::optional<ContactHeat> Contacts::covering(const Place& at, const std::optional<Vector3>& n, double reach) const {
+ContactHeat Contacts::heat_of(const Present& p) {
+  if (!p.contact->temperature) return {};
+  return {p.contact->heat_transfer_coefficient, p.temperature, 0, p.contact->giver};
+}
+
+std::optional<ContactHeat> Contacts::cover_within(const Place& at, double reach) const {
+  for (const Present& p : present_)
+    if (p.contact->covers && distance_within(p, at, reach)) return heat_of(p);
+  for (const Wall& w : walls_)
+    if (w.distance(at.x) <= reach) return w.heat;
+  return std::nullopt;
+}
+
+Covers Contacts::covering(const Place& at, const Vector3& n, double reach) const {
+  constexpr double k_ahead = 0.5, k_beside = 0.2;  // of `facing`: one must be ahead, the others count from much less on
+  Covers found;
+  bool any = false;
+  const auto add = [&](const ContactHeat& heat, const Vector3& normal, double facing) {
+    if (facing < k_beside || found.count == Covers::k_most) return;
+    any |= facing >= k_ahead;
+    found.solids[static_cast<std::size_t>(found.count++)] = {heat, normal, facing};
+  };
   for (const Present& p : present_) {
     const auto d = p.contact->covers ? distance_within(p, at, reach) : std::nullopt;
     if (!d) continue;
-    if (n) {
-      const Vector3* kept = p.stands ? p.contact->survey.normal(at) : nullptr;
-      const bool ahead = dot(kept ? *kept : p.contact->scripted.normal(p.pose, at.x), *n) <= -0.5 ||
-                         *d - p.contact->scripted.distance(p.pose, at.x + reach * *n) >= reach / 2;
-      if (!ahead) continue;  // the surface looks elsewhere
-    }
-    if (!p.contact->temperature) return ContactHeat{};
-    return ContactHeat{p.contact->heat_transfer_coefficient, p.temperature, 0, p.contact->giver};
+    const Vector3* kept = p.stands ? p.contact->survey.normal(at) : nullptr;
+    const Vector3 normal = kept ? *kept : p.contact->scripted.normal(p.pose, at.x);
+    double facing = -dot(normal, n);
+    if (facing < k_ahead) facing = std::max(facing, (*d - p.contact->scripted.distance(p.pose, at.x + reach * n)) / reach);
+    add(heat_of(p), normal, facing);
   }
-  for (const Wall& w : walls_)
-    if (w.distance(at.x) <= reach && (!n || w.sign * (*n)[static_cast<std::size_t>(w.axis)] <= -0.5)) return w.heat;
-  return std::nullopt;
+  for (const Wall& w : walls_) {
+    if (w.distance(at.x) > reach) continue;
+    Vector3 normal{0, 0, 0};
+    normal[static_cast<std::size_t>(w.axis)] = w.sign;
+    add(w.heat, normal, -dot(normal, n));
+  }
+  if (!any) found.count = 0;  // the surface looks elsewhere
+  if (found.count < 2) return found;
+  for (int s = 0; s < found.count; ++s) {
+    Covers::Solid& solid = found.solids[static_cast<std::size_t>(s)];
+    double alike = 0;
+    for (const Covers::Solid& other : found) alike += std::max(dot(solid.normal, other.normal), 0.);
+    solid.share = solid.facing / alike;
+  }
+  return found;
 }
 
 double Contacts::room(const Place& at) const {

@@ -28,6 +28,22 @@ struct ContactHeat {
   }
 };
 
+/// Solids in front of a surface, and the share of its area that each has: 1 if it is alone. Of several each has what the surface shows it,
+/// -n . n_s, over the sum of n_s . n_t over those that look the same way: walls at right angles have the area that a rounded edge of the
+/// dough projects onto them, which is their own, and two solids side by side halve it.
+struct Covers {
+  static constexpr int k_most = 4;
+  struct Solid {
+    ContactHeat heat;
+    Vector3 normal;
+    double facing, share = 1;
+  };
+  int count = 0;
+  std::array<Solid, k_most> solids;
+  const Solid* begin() const { return solids.data(); }
+  const Solid* end() const { return solids.data() + count; }
+};
+
 /// A temperature that a grip holds, and how far away [C, m].
 struct HeldNear {
   double temperature, distance;
@@ -51,8 +67,9 @@ class Contacts final : public Obstacles {
  public:
   Contacts(const Scene& scene, const GridGeometry& geometry);
 
-  /// Fixes all poses for a step that begins at `time`; `at_rest`: as they are then, and none moves on.
-  void prepare(double time, bool at_rest = false);
+  /// Fixes all poses for a step that begins at `time`, and temperatures and fluxes, of which a step takes the mean over its `dt`;
+  /// `at_rest`: as they are then, and none moves on.
+  void prepare(double time, double dt = 0, bool at_rest = false);
   /// Finds what contact asks of the nodes of those blocks, where solids stand still and it is not known yet.
   void survey(const ActiveBlocks& active);
   /// Does anything touch the block or lie within `reach` of it?
@@ -96,10 +113,11 @@ class Contacts final : public Obstacles {
   }
   /// All nodes that contact with a collider depends on are no further from it than this [m].
   double reach_beside_colliders() const { return 2.1 * geometry_.dx(); }
-  /// Does a solid that covers, or a face that passes heat, stand within `reach` of a surface at a place, in front of its outward normal `n`
-  /// if that is known: does its nearest face look against n, or is a face nearer by reach / 2 if one goes that far along n, as where walls
-  /// meet? Its heat, zero if it gives none.
-  std::optional<ContactHeat> covering(const Place& at, const std::optional<Vector3>& n, double reach) const;
+  /// The first solid that covers, or face that passes heat, within `reach` of a place: its heat, zero if it gives none.
+  std::optional<ContactHeat> cover_within(const Place& at, double reach) const;
+  /// Those of them that stand in front of a surface with the outward normal `n`: whose nearest face looks against n, or to which it is
+  /// nearer by reach / 2 if one goes that far along n. Where several do, as where two walls meet, each has its part of the surface.
+  Covers covering(const Place& at, const Vector3& n, double reach) const;
   /// The share that colliders which cover and faces that pass heat leave to the dough of what is averaged into phi~ there (surface.h): 1
   /// from 2.5 dx on, one half on the face of one, 0 inside. Grips take nothing, since they hold dough.
   double room(const Place& at) const;
@@ -139,6 +157,7 @@ class Contacts final : public Obstacles {
   };
   template <bool tells>
   Vector3 after_all(const Place& at, Vector3 v, const NodesAround* around, double mass, Given* given) const;
+  static ContactHeat heat_of(const Present& present);
   bool reaches(const Present& present, const BlockIndex& block, double reach) const;
   bool face_near(const BlockIndex& block) const;
   /// Distance of a place from it, negative inside; none if that is more than `reach`.

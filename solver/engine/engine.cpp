@@ -32,8 +32,8 @@ template <class Real>
 Step<Real> Engine<Real>::current_step() const {
   const double dx = geometry_.dx();
   const double inverse_d = scene_.grid.kernel == KernelOrder::quadratic ? 4 : 3;
-  const Real dt = static_cast<Real>(dt_), baking_dt = settling_.now ? Real(0) : dt;
-  return {dt, dt, baking_dt, baking_dt, static_cast<Real>(dx), static_cast<Real>(inverse_d / (dx * dx))};
+  const Real dt = static_cast<Real>(dt_), baking = static_cast<Real>(baking_dt());
+  return {dt, dt, baking, baking, static_cast<Real>(dx), static_cast<Real>(inverse_d / (dx * dx))};
 }
 
 template <class Real>
@@ -98,7 +98,7 @@ double Engine<Real>::next_step(double from, double target, double next_target) {
 template <class Real>
 void Engine<Real>::start(double first_target) {
   const bool settles = physics_->settling.damping > 0;
-  contacts_.prepare(time_, settles);
+  contacts_.prepare(time_, 0, settles);
   update_grid();
   pass(time_, settles ? next_settling_step() : next_step(time_, first_target, first_target), settles, true);
   surface_travel_ = k_infinity;  // the pass has summed the volumes in another order
@@ -144,7 +144,7 @@ bool Engine<Real>::settle_on() {
 template <class Real>
 void Engine<Real>::step(double target, double next_target) {
   const double began = steady_seconds();
-  contacts_.prepare(time_, settling_.now);
+  contacts_.prepare(time_, baking_dt(), settling_.now);
   update_grid();
   const double updated = steady_seconds(), ordered = phases_.ordering;
   const bool reaches = !settling_.now && time_ + dt_ >= target - 1e-9 * dt_;

@@ -80,6 +80,7 @@ class Engine {
   void read(const CheckpointReader& in);
 
  private:
+  double baking_dt() const { return settling_.now ? 0 : dt_; }  ///< of heat, water, leavener, gravity
   Step<Real> current_step() const;
   BlockWork<Real> work(const Step<Real>& step);
   void update_grid();
@@ -100,7 +101,7 @@ class Engine {
   bool is_held(std::size_t slot, int node) const;
   void sum_given(const std::vector<Given>& of_blocks);
   /// Its mean over the step that begins at `time`.
-  Vector3 gravity_from(double time) const { return physics_->gravity.mean(time, settling_.now ? time : time + dt_); }
+  Vector3 gravity_from(double time) const { return physics_->gravity.mean(time, time + baking_dt()); }
   void find_fall(Lanes<Real> (&dv)[3]) const;
   /// Contact of a block's nodes: it depends on each alone; on those around, and follows when all are known; or none is touched, but those
   /// of other blocks depend on them.

@@ -189,7 +189,7 @@ void Engine<Real>::read_surface(const CheckpointReader& in) {
   expect_numbers(kept, true);
   surface_travel_ = kept[0];
   surface_covers_.assign(kept.begin() + 1, kept.end());
-  contacts_.prepare(time_);
+  contacts_.prepare(time_, baking_dt());
   if (!(surface_travel_ <= scene_.surface.keep_dx) || surface_covers_ != contacts_.covers()) return;  // it will be measured anew
   expect(numbers.size() == active_.at.size() * k_block_nodes);
   expect(std::all_of(numbers.begin(), numbers.end(), [](Real x) { return std::isfinite(x) && x >= 0; }));

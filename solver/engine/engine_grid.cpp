@@ -74,8 +74,8 @@ void Engine<Real>::update_grid() {
   look_for_crumbs();
   Air air;
   if (physics_->needs_surface) {
-    air = {scene_.oven.heat_transfer_coefficient_W_per_m2K(time_), scene_.oven.temperature_C(time_),
-           scene_.oven.equilibrium_saturation(time_)};
+    const auto now = [&](const Curve& curve) { return curve.mean(time_, time_ + baking_dt()); };
+    air = {now(scene_.oven.heat_transfer_coefficient_W_per_m2K), now(scene_.oven.temperature_C), now(scene_.oven.equilibrium_saturation)};
     if (scene_.surface.form == Form::standard)
       measure_surface();
     else
@@ -104,7 +104,7 @@ void Engine<Real>::update_grid() {
       return taken_up(transfer, source, theta, change) + transfer * theta;
     });
     booked_[static_cast<std::size_t>(physics_->heat_entry)] +=
-        implicit_heat_.solve(work(step), colours_.columns(), heat_weight_, heat_transfer_, settling_.now ? 0 : dt_,
+        implicit_heat_.solve(work(step), colours_.columns(), heat_weight_, heat_transfer_, baking_dt(),
                              static_cast<std::size_t>(gathered_row()), gathered_.data());
     if (physics_->moves_mass)
       for (std::size_t s = 0; s < blocks; ++s)

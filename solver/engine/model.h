@@ -416,7 +416,7 @@ BAKE_INLINE void Model<Real, Effects...>::stress_and_scatter(Particle& p, const 
 /// Particles that an obstacle expels; what it gives them is booked.
 template <class Real, class... Effects>
 void Model<Real, Effects...>::push_out(Particle& p, const Step<Real>& step, Report<Real>& report) const {
-  const V mass = static_cast<Real>(this->inertia_scale) * p.mass();
+  const V mass = static_cast<Real>(this->inertia_scale) * p.own_mass();
   for (int l = 0; l < k_width<Real>; ++l) {
     if (report.alive[l] == 0) continue;
     Point x;

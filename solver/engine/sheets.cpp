@@ -315,13 +315,16 @@ void Sheets<Real>::write(CheckpointWriter& out) const {
   out.add("skin_points", std::span<const double>(points));
   out.add("skin_triangles", std::span<const std::int32_t>(triangles));
   out.add("skin_counts", std::span<const std::int64_t>(counts));
+  std::vector<double> places;  // also of vertices that have left, which frames go on showing where they were last
+  for (const Vector3& x : position_) places.insert(places.end(), x.begin(), x.end());
+  out.add("skin_places", std::span<const double>(places));
   const double sums[] = {sums_.membrane, sums_.bending, sums_.area};
   out.add("skin_sums", std::span<const double>(sums));
 }
 
 template <class Real>
 Sheets<Real> Sheets<Real>::read(const Scene& scene, const CheckpointReader& in) {
-  const auto points = in.array<double>("skin_points"), sums = in.array<double>("skin_sums");
+  const auto points = in.array<double>("skin_points"), places = in.array<double>("skin_places"), sums = in.array<double>("skin_sums");
   const auto triangles = in.array<std::int32_t>("skin_triangles");
   const auto counts = in.array<std::int64_t>("skin_counts");
   const auto expect = [](bool fits) {
@@ -342,8 +345,9 @@ Sheets<Real> Sheets<Real>::read(const Scene& scene, const CheckpointReader& in) 
     }
     meshes.push_back(std::move(mesh));
   }
-  expect(point == points.size() && triangle == triangles.size());
+  expect(point == points.size() && triangle == triangles.size() && places.size() == points.size());
   Sheets sheets(scene, std::move(meshes), counts[0]);
+  for (std::size_t v = 0; v < sheets.position_.size(); ++v) sheets.position_[v] = {places[3 * v], places[3 * v + 1], places[3 * v + 2]};
   sheets.sums_ = {sums[0], sums[1], sums[2]};
   return sheets;
 }

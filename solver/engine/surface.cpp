@@ -394,7 +394,7 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
   const auto is_full = [&](std::int32_t slot) { return slot >= 0 && blocks_[static_cast<std::size_t>(slot)].is_full; };
   if (blocks_[s].is_empty || std::all_of(active.around[s].begin(), active.around[s].end(), is_full)) return;
   const double dx = geometry.dx();
-  // from phi of the nodes around; visit(node, heat of the solid in front of it) where there is a surface
+  // from phi of the nodes around; visit(node, solids in front of it) where there is a surface
   const auto measure = [&](auto phi_of, Nodes& r, Nodes& bend, auto visit) {
     Halo<Real, k_narrow> psi;
     load_halo<k_narrow>(active.around[s], phi_of, psi);
@@ -428,8 +428,8 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
   measure([&](std::size_t i) { return blocks_[i].is_empty    ? nullptr
                                       : blocks_[i].is_beside ? &filled_[i]
                                                              : &smooth_[i]; }, r, bend,
-          [&](std::size_t k, const std::optional<ContactHeat>& heat) {
-            if (heat) r[k] = bend[k] = 0;
+          [&](std::size_t k, const Covers& covers) {
+            if (covers.count > 0) r[k] = bend[k] = 0;
           });
   blocks_[s].has_density = any_positive(r);
   if (blocks_[s].has_density)
@@ -440,16 +440,19 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
   if (!blocks_[s].is_beside) return;
   Nodes covered{}, covered_bend;
   measure([&](std::size_t i) { return blocks_[i].is_empty ? nullptr : &smooth_[i]; }, covered, covered_bend,
-          [&](std::size_t k, const std::optional<ContactHeat>& heat) {
-            if (!heat) return;
-            auto cover = std::find_if(covers_[s].begin(), covers_[s].end(), [&](const Cover& c) { return c.heat == *heat; });
-            if (cover == covers_[s].end()) cover = covers_[s].insert(cover, Cover{*heat, {}, {}});
-            cover->density[k] = covered[k];
-            cover->bend[k] = covered_bend[k];
-            if (heat->giver < 0) return;
-            auto share = std::find_if(shares_[s].begin(), shares_[s].end(), [&](const Share& h) { return h.giver == heat->giver; });
-            if (share == shares_[s].end()) share = shares_[s].insert(share, Share{heat->giver, *heat, {}});
-            share->density[k] = covered[k];
+          [&](std::size_t k, const Covers& covers) {
+            for (const auto& [heat, normal, facing, part] : covers) {
+              const auto r_of_it = static_cast<Real>(part) * covered[k];
+              auto cover = std::find_if(covers_[s].begin(), covers_[s].end(), [&, &heat = heat](const Cover& c) { return c.heat == heat; });
+              if (cover == covers_[s].end()) cover = covers_[s].insert(cover, Cover{heat, {}, {}});
+              cover->density[k] += r_of_it;
+              cover->bend[k] += static_cast<Real>(part) * covered_bend[k];
+              if (heat.giver < 0) continue;
+              auto share =
+                  std::find_if(shares_[s].begin(), shares_[s].end(), [&, &heat = heat](const Share& h) { return h.giver == heat.giver; });
+              if (share == shares_[s].end()) share = shares_[s].insert(share, Share{heat.giver, heat, {}});
+              share->density[k] += r_of_it;
+            }
           });
 }
 

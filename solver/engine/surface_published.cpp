@@ -96,7 +96,7 @@ void FreeSurfaceMeasure<Real>::measure_published(const ParticleStore<Real>& stor
     BlockSurroundings<Real>& out = published_[s];
     for (int k = 0; k < k_block_nodes; ++k) {
       const Point x = node_position(geometry.origin(active.at[s]), geometry.dx(), k);
-      const auto cover = near_contact && out.area[k] > 0 ? contacts.covering(x, std::nullopt, geometry.dx()) : std::nullopt;
+      const auto cover = near_contact && out.area[k] > 0 ? contacts.cover_within(x, geometry.dx()) : std::nullopt;
       const Real A = out.area[k];
       published_givers_[s][static_cast<std::size_t>(k)] = cover ? cover->giver : -1;
       if (cover) out.contact_area[k] = A, out.area[k] = 0;

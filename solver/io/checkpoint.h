@@ -19,7 +19,7 @@
 
 namespace bake {
 
-inline constexpr int k_checkpoint_format = 5;
+inline constexpr int k_checkpoint_format = 6;
 inline constexpr std::size_t k_checkpoint_heading = 512;  ///< bytes
 
 /// Writes a checkpoint piece by piece into a temporary file; commit() renames it to `path`.

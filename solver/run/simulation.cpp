@@ -21,7 +21,9 @@
 
 namespace bake {
 
-const std::vector<double>& Snapshot::operator[](std::string_view column) const {
+std::vector<double> Snapshot::operator[](std::string_view column) && { return std::as_const(*this)[column]; }
+
+const std::vector<double>& Snapshot::operator[](std::string_view column) const& {
   for (const auto& [name, values] : columns)
     if (name == column) return values;
   throw std::out_of_range("no column " + std::string(column));

@@ -28,7 +28,8 @@ struct Snapshot {
   std::vector<Vector3> velocity;  ///< [m/s]; empty where nothing moves
   /// By column name (see Physics::columns); each particle's `width` numbers together.
   std::vector<std::pair<std::string, std::vector<double>>> columns;
-  const std::vector<double>& operator[](std::string_view column) const;  ///< throws std::out_of_range
+  const std::vector<double>& operator[](std::string_view column) const&;  ///< throws std::out_of_range
+  std::vector<double> operator[](std::string_view column) &&;             ///< of a snapshot that is gone afterwards
 };
 
 /// The files of a frame, to be put in place.

@@ -18,6 +18,7 @@ double read_number(const SceneEntry& entry, const Range& range, std::string_view
 int read_whole_number(const SceneEntry& entry, const Range& range) {
   const auto* number = entry.node().as_integer();
   const bool fits = number && number->get() >= std::numeric_limits<int>::min() && number->get() <= std::numeric_limits<int>::max();
+  if (number && !fits) entry.refuse(fmt::format("{}, up to {}", range.words, std::numeric_limits<int>::max()));
   if (!fits || !range.contains(static_cast<double>(number->get()))) entry.refuse(range.words);
   return static_cast<int>(number->get());
 }

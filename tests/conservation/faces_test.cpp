@@ -70,6 +70,46 @@ TEST(AFaceWithAFlux, LetsInThatMuchHeat) {
   EXPECT_NEAR(Sums(*s).exchanged / (5e4 * 0.25 * 0.25 * 0.5), 1, 2e-3);
 }
 
+/// A step takes the mean of what changes with time, however short that lasts.
+TEST(AFaceWithAFlux, LetsInWhatComesAndGoesWithinAStep) {
+  for (const char* heat : {"", "integrator = \"backward_euler\""}) {
+    Dough dough = slab("[[face]]\nat = \"z_min\"\nheat_flux_W_per_m2 = [[0.004, 0], [0.0041, 5e4], [0.006, 5e4], [0.0061, 0]]\n");
+    dough.heat = heat;
+    const auto s = dough.begin();
+    take_steps(*s, 1, 1e-2);
+    EXPECT_NEAR(Sums(*s).exchanged / (5e4 * 0.25 * 0.25 * 0.002), 1, 2e-3) << heat;
+  }
+}
+
+TEST(DoughInAnOvenThatChanges, GainsAsMuchInLongStepsAsInShortOnes) {
+  const auto gained = [](int steps) {
+    Dough dough = slab("[oven]\ntemperature_C = [[0, 20], [0.003, 220], [0.006, 20]]\nheat_transfer_coefficient_W_per_m2K = 400\n");
+    dough.frame_s = 1e-2 / steps;
+    const auto s = dough.begin();
+    take_steps(*s, steps, dough.frame_s);
+    return Sums(*s).exchanged;
+  };
+  EXPECT_NEAR(gained(1) / gained(100), 1, 0.02);
+}
+
+/// Dough in the edge of two faces.
+TEST(FacesThatMeet, EachLetInWhatTheirAreaPassesWhicheverComesFirst) {
+  const auto face = [](const char* at) { return fmt::format("[[face]]\nat = \"{}\"\nheat_flux_W_per_m2 = 5e4\nledger = true\n", at); };
+  const auto heats = [](const std::string& faces) {
+    Dough dough = slab(faces);
+    dough.high = {1, 0.25, 1};
+    dough.shape = "box = { centre_m = [0.125, 0.125, 0.125], half_extents_m = [0.125, 0.125, 0.125] }";
+    const auto s = dough.begin();
+    take_steps(*s, 50, 1e-2);
+    return std::pair(s->given()[0].heat, s->given()[1].heat);
+  };
+  const auto [x, z] = heats(face("x_min") + face("z_min"));
+  const auto [z_first, x_second] = heats(face("z_min") + face("x_min"));
+  EXPECT_NEAR(x / x_second, 1, 1e-9);
+  EXPECT_NEAR(z / z_first, 1, 1e-9);
+  for (const double heat : {x, z}) EXPECT_NEAR(heat / (5e4 * 0.25 * 0.25 * 0.5), 1, 0.04);
+}
+
 /// Between a face and the air dough becomes as warm as the resistances 1 / beta, L / kappa and 1 / beta_air have it.
 TEST(ASlabBetweenAFaceAndTheAir, ComesToTheTemperaturesOfItsResistances) {
   constexpr double kappa = 100, length = 0.25, beta_air = 300, hot = 150, cold = 20;

@@ -2,7 +2,9 @@
 // A skin on a body: momenta are kept, and energy goes from one kind into another.
 #include <gtest/gtest.h>
 
+#include "solver/io/checkpoint.h"
 #include "tests/conservation/dough.h"
+#include "tests/support/temporary_folder.h"
 
 namespace bake {
 namespace {
@@ -128,6 +130,25 @@ TEST(ASkinThatLeaves, IsTornAndGoesOn) {
   s->advance(0.4, 0.5);
   EXPECT_EQ(s->particles(), 0U);
   EXPECT_EQ(s->skin_sums().area, 0);
+}
+
+/// Vertices that have left are shown where they were last, after a resume as well.
+TEST(ASkinThatLeaves, IsShownByAResumedRunAsByOneThatWentOn) {
+  Dough dough = covered();
+  dough.faces = "x_max = \"open\"";
+  dough.high = {0.5, 1, 1};
+  dough.body = "velocity_m_per_s = [4, 0, 0]";
+  const auto whole = dough.begin();
+  whole->advance(0.12, 0.13);
+  const TemporaryFolder folder;
+  const auto file = folder / "run.h5";
+  CheckpointWriter out(file, "run", Precision::double_precision);
+  whole->write(out);
+  out.commit();
+  const auto resumed = Simulation::resume(dough.scene(), CheckpointReader(file));
+  for (const auto* s : {&whole, &resumed}) (*s)->advance(0.13, 0.14);
+  EXPECT_LT(whole->particles(), dough.begin()->particles()) << "else nothing was tested";
+  EXPECT_EQ(whole->skin_mesh(whole->frame())->points, resumed->skin_mesh(resumed->frame())->points);
 }
 
 }  // namespace

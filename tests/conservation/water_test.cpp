@@ -85,6 +85,19 @@ TEST(EvaporatedWater, IsWhatTheParticlesHaveLost) {
   }
 }
 
+/// As a limit: next to none comes to the surface if there is next to no diffusivity.
+TEST(DoughWithoutDiffusivity, LosesNoWater) {
+  for (const char* effects : {"water", "heat, water", k_everything})
+    for (const char* diffusivity : {"0", "1e-14"}) {
+      Dough dough = drying(effects);
+      dough.material = Dough::properties(fmt::format("evaporation_kg_per_m2sK = 0.5\ndiffusivity_m2_per_sK = {}", diffusivity));
+      const auto s = dough.begin();
+      const Sums start(*s);
+      take_steps(*s, 20, dough.frame_s);
+      EXPECT_LE(Sums(*s).evaporated, 1e-6 * start.water) << effects << diffusivity;
+    }
+}
+
 TEST(LatentHeat, IsWhatTheParticlesHaveCooledBy) {
   Dough dough = drying("heat, water");
   dough.tables = "[water]\nlatent_heat_J_per_kg = 1e4\n";  // no oven

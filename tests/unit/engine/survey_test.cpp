@@ -84,7 +84,11 @@ TEST_P(ContactOfSolidsThatStand, IsThatOfSolidsThatAreAskedAnew) {
     EXPECT_EQ(kept.velocity_after(at, v, &around), expected);
     EXPECT_EQ(kept.velocity_after(at, v), fresh.velocity_after(at.x, v));
     EXPECT_EQ(kept.room(at), fresh.room(at.x));
-    EXPECT_EQ(kept.covering(at, v, 2.5 * k_fine_dx).has_value(), fresh.covering(at.x, v, 2.5 * k_fine_dx).has_value());
+    const Vector3 n = (1 / length(v)) * v;
+    const Covers of_kept = kept.covering(at, n, 2.5 * k_fine_dx), of_fresh = fresh.covering(at.x, n, 2.5 * k_fine_dx);
+    ASSERT_EQ(of_kept.count, of_fresh.count);
+    for (int s = 0; s < of_kept.count; ++s)
+      EXPECT_EQ(of_kept.solids[static_cast<std::size_t>(s)].share, of_fresh.solids[static_cast<std::size_t>(s)].share);
     touched += expected != v;
     on_line += expected != fresh.velocity_after(at.x, v);
     covered += fresh.room(at.x) < 1;

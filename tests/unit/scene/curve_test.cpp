@@ -38,6 +38,9 @@ TEST(Curve, HasItsExactMeanOverAnyTime) {
   EXPECT_EQ(ramp().mean(2.5, 2.5), 45);
   EXPECT_EQ(ramp().mean(20, 20.1), 70) << "a constant has no round-off";
   EXPECT_EQ(Curve(-9.81).mean(0.1, 0.4), -9.81);
+  Curve level;
+  level.points = {{0, 0.1}, {1, 0.1}, {2, 0.1}, {3, 0}};
+  EXPECT_EQ(level.mean(0.3, 1.7), 0.1) << "nor has what is level for a while";
 }
 
 TEST(Curve, MayBeOfVectors) {
