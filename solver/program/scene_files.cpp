@@ -59,7 +59,12 @@ std::vector<SceneFile> known_scenes() {
   const fs::path built_with = experiments_above(BAKE_SOURCE_DIR);
   std::vector<SceneFile> scenes = scenes_in(here);
   if (built_with != here) {
-    const auto more = scenes_in(built_with);
+    const auto is_here = [near = scenes](const SceneFile& other) {
+      return std::any_of(near.begin(), near.end(),
+                         [&](const SceneFile& scene) { return scene.experiment == other.experiment && scene.name == other.name; });
+    };
+    std::vector<SceneFile> more = scenes_in(built_with);
+    std::erase_if(more, is_here);
     scenes.insert(scenes.end(), more.begin(), more.end());
   }
   std::sort(scenes.begin(), scenes.end(), [](const SceneFile& a, const SceneFile& b) {

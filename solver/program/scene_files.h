@@ -17,7 +17,7 @@ struct SceneFile {
 };
 
 /// All scenes in the nearest experiments/ folder at or above the working folder and in that of the sources that the program was built
-/// from, sorted by experiment, then name.
+/// from, sorted by experiment, then name. One that is here hides that of the same experiment and name there.
 std::vector<SceneFile> known_scenes();
 
 /// The scene file that a path or a name stands for: `bread`, or `fig15_bread/bread` where several experiments have one.

@@ -65,6 +65,12 @@ TEST(CommandLine, ANameThatTwoExperimentsHaveMustSayWhichOne) {
   expect_success(place, "validate fig02_dough/dough", "fig02_dough/dough.toml: valid");
 }
 
+TEST(CommandLine, ASceneHereHidesThatOfTheSourcesItWasBuiltFrom) {
+  const Workplace place;
+  place.write("experiments/fig15_bread/bread.toml", contents(place.folder() / "experiments/fig01_dough/dough.toml"));
+  expect_success(place, "validate bread", place.folder().filename().string() + "/experiments/fig15_bread/bread.toml: valid");
+}
+
 TEST(CommandLine, WrongOptionsAreRefused) {
   const Workplace place;
   expect_refused(place, "run dough --bogus", "--bogus");

@@ -30,7 +30,7 @@ TEST(SceneError, WholeNumbersMustBeWhole) {
   EXPECT_EQ(error_of(replaced(k_least, "end_s = 2", "end_s = 2\nseed = 1.5")),
             "bread.toml:3: run.seed: found 1.5, allowed: a whole number of at least 0");
   EXPECT_EQ(error_of(replaced(k_least, "end_s = 2", "end_s = 2\nseed = 3000000000")),
-            "bread.toml:3: run.seed: found 3000000000, allowed: a whole number of at least 0");
+            "bread.toml:3: run.seed: found 3000000000, allowed: a whole number of at least 0, up to 2147483647");
 }
 
 TEST(SceneError, OutOfRangeIsRefusedAndSoIsNan) {
