@@ -162,13 +162,14 @@ void Engine<Real>::read(const CheckpointReader& in) {
   next_identity_ = counts[5];
   last_sorted_ = counts[6];
   crumbs_looked_ = counts[7];
+  if (physics_->settling.damping > 0) {
+    const auto settling = in.array<double>("settling");
+    expect(settling.size() == 4 && settling[1] >= 0 && settling[2] >= 0);
+    expect_numbers(settling, false);
+    settling_ = {settling[0] != 0, settling[1], settling[2], settling[3] != 0};
+    expect(!settling_.now || time_ == 0);
+  }
   if (keeps_surface()) read_surface(in);
-  if (!(physics_->settling.damping > 0)) return;
-  const auto settling = in.array<double>("settling");
-  expect(settling.size() == 4 && settling[1] >= 0 && settling[2] >= 0);
-  expect_numbers(settling, false);
-  settling_ = {settling[0] != 0, settling[1], settling[2], settling[3] != 0};
-  expect(!settling_.now || time_ == 0);
 }
 
 /// The volumes that the surface was measured from, and since when: it is measured from them again.
@@ -189,7 +190,7 @@ void Engine<Real>::read_surface(const CheckpointReader& in) {
   expect_numbers(kept, true);
   surface_travel_ = kept[0];
   surface_covers_.assign(kept.begin() + 1, kept.end());
-  contacts_.prepare(time_, baking_dt());
+  contacts_.prepare(time_, baking_dt(), settling_.now);
   if (!(surface_travel_ <= scene_.surface.keep_dx) || surface_covers_ != contacts_.covers()) return;  // it will be measured anew
   expect(numbers.size() == active_.at.size() * k_block_nodes);
   expect(std::all_of(numbers.begin(), numbers.end(), [](Real x) { return std::isfinite(x) && x >= 0; }));

@@ -82,7 +82,7 @@ class FreeSurfaceMeasure {
   static constexpr Real k_full = Real(0.8), k_no_dough = Real(1e-3);  ///< values of phi~
   /// Of a face that ends at a solid K^2 counts less, by so much of the room that is missing: nothing within 1.5 dx.
   static constexpr Real k_ends = 24;
-  static constexpr double k_least_room = 0.05, k_reach = 2.5;  ///< of room(), and of what covers a surface, in node distances
+  static constexpr double k_least_room = 0.05, k_reach = Survey::k_reach;  ///< of room(), and of what covers a surface
 
   struct Block {
     bool has_volume = false, is_mirrored = false, is_full = false, is_empty = false, is_beside = false, has_density = false,

@@ -15,7 +15,8 @@ double take_step(Simulation& s, double frame_s) {
   return dt;
 }
 
-/// Everything, so light that its yield stress bears it, on the floor, beside a plate that has begun to move, held by a warm grip.
+/// Everything, so light that its yield stress bears it, on the floor, beside a plate that has begun to move and to warm, held by a warm
+/// grip.
 Dough put_on_a_tray(const std::string& precision = "double") {
   Dough dough;
   dough.effects = k_everything;
@@ -26,13 +27,15 @@ Dough put_on_a_tray(const std::string& precision = "double") {
   dough.shape = "sphere = { centre_m = [0.02, 0.01, -0.73], radius_m = 0.27 }";
   dough.body = "temperature_C = 30\njitter = 1";
   dough.material = Dough::properties(Dough::moving_water());
-  dough.tables = R"([oven]
+  dough.tables = R"([surface]
+keep_dx = 0.05
+[oven]
 temperature_C = 200
 heat_transfer_coefficient_W_per_m2K = 200
 [[collider]]
 shape = { box = { centre_m = [-0.55, 0, -0.6], half_extents_m = [0.3, 0.4, 0.3] } }
 motion = [{ time_s = 0 }, { time_s = 0.5, position_m = [0.6, 0, 0] }]
-temperature_C = 90
+temperature_C = [[0, 90], [1, 120]]
 heat_transfer_coefficient_W_per_m2K = 300
 [[grip]]
 shape = { sphere = { centre_m = [0, 0, -0.97], radius_m = 0.12 } }
