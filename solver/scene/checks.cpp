@@ -133,15 +133,16 @@ void check_beside_periodic(const SceneEntry& entry, const T& value, const Scene&
 }  // namespace
 
 void check(const SceneEntry& entry, const DomainSettings& value, const Scene& scene) {
-  constexpr double k_most_cells = 1e9;   // nodes are counted by int
-  constexpr double k_told_apart = 1e-4;  // positions are, to this share of a cell
+  constexpr double k_most_cells = 1e9, k_fewest_cells = 1e-6;  // nodes are counted by int; a cell is not a million domains
+  constexpr double k_told_apart = 1e-4;                        // positions are, to this share of a cell
   const double furthest = k_told_apart * scene.dx() / std::numeric_limits<double>::epsilon();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const char name = "xyz"[axis];
     if (!(value.max_m[axis] > value.min_m[axis]))
       Complaint(entry).at("max_m", "found {} = {}, allowed: a number above {} (min_m)", name, value.max_m[axis], value.min_m[axis]);
     const double cells = (value.max_m[axis] - value.min_m[axis]) / scene.grid.dx_m;
-    if (cells > k_most_cells) Complaint(entry).at("max_m", "found {:.3g} cells along {}, allowed: up to {:g}", cells, name, k_most_cells);
+    if (cells > k_most_cells || cells < k_fewest_cells)
+      Complaint(entry).at("max_m", "found {:.3g} cells along {}, allowed: {:g} to {:g}", cells, name, k_fewest_cells, k_most_cells);
     if (std::max(std::abs(value.min_m[axis]), std::abs(value.max_m[axis])) > furthest)
       Complaint(entry).at("max_m",
                           "found {} from {:g} to {:g} m in cells of {:g} m, allowed: up to {:.3g} m from the origin, so that positions "

@@ -129,7 +129,8 @@ TEST(SceneError, DomainMustHaveVolume) {
 
 TEST(SceneError, DomainMustHaveCellsThatCanBeCounted) {
   EXPECT_EQ(error_of(replaced(k_least, "[1, 1, 1]", "[1, 1e10, 1]")),
-            "bread.toml:7: domain.max_m: found 1e+12 cells along y, allowed: up to 1e+09");
+            "bread.toml:7: domain.max_m: found 1e+12 cells along y, allowed: 1e-06 to 1e+09");
+  EXPECT_NE(error_of(replaced(k_least, "dx_m = 0.01", "dx_m = 1e300")).find("found 1e-300 cells along x"), std::string::npos);
   EXPECT_NE(error_of(replaced(replaced(k_least, "[0, 0, 0]", "[0, 0, -1e308]"), "[1, 1, 1]", "[1, 1, 1e308]")).find("cells along z"),
             std::string::npos);
 }
