@@ -20,10 +20,11 @@ Value CurveOf<Value>::operator()(double at) const {
 template <class Value>
 Value CurveOf<Value>::mean(double from, double to) const {
   if (!(to > from) || from >= points.back().at || to <= points.front().at) return (*this)(from);
-  bool constant = (*this)(from) == (*this)(to);
+  const Value first = (*this)(from);
+  bool constant = first == (*this)(to);
   for (const Point& point : points)
-    if (point.at > from && point.at < to) constant &= point.value == (*this)(from);
-  if (constant) return (*this)(from);  // without round-off
+    if (point.at > from && point.at < to) constant &= point.value == first;
+  if (constant) return first;  // without round-off
   double at = from;
   Value integral = 0. * points.front().value;
   const auto add = [&](double next) {

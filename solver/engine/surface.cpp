@@ -441,15 +441,15 @@ void FreeSurfaceMeasure<Real>::find_density(std::size_t s, const ActiveBlocks& a
   Nodes covered{}, covered_bend;
   measure([&](std::size_t i) { return blocks_[i].is_empty ? nullptr : &smooth_[i]; }, covered, covered_bend,
           [&](std::size_t k, const Covers& covers) {
-            for (const auto& [heat, normal, facing, part] : covers) {
-              const auto r_of_it = static_cast<Real>(part) * covered[k];
-              auto cover = std::find_if(covers_[s].begin(), covers_[s].end(), [&, &heat = heat](const Cover& c) { return c.heat == heat; });
+            for (const Covers::Solid& solid : covers) {
+              const ContactHeat& heat = solid.heat;
+              const Real part = static_cast<Real>(solid.share), r_of_it = part * covered[k];
+              auto cover = std::find_if(covers_[s].begin(), covers_[s].end(), [&](const Cover& c) { return c.heat == heat; });
               if (cover == covers_[s].end()) cover = covers_[s].insert(cover, Cover{heat, {}, {}});
               cover->density[k] += r_of_it;
-              cover->bend[k] += static_cast<Real>(part) * covered_bend[k];
+              cover->bend[k] += part * covered_bend[k];
               if (heat.giver < 0) continue;
-              auto share =
-                  std::find_if(shares_[s].begin(), shares_[s].end(), [&, &heat = heat](const Share& h) { return h.giver == heat.giver; });
+              auto share = std::find_if(shares_[s].begin(), shares_[s].end(), [&](const Share& h) { return h.giver == heat.giver; });
               if (share == shares_[s].end()) share = shares_[s].insert(share, Share{heat.giver, heat, {}});
               share->density[k] += r_of_it;
             }

@@ -59,8 +59,8 @@ std::vector<SceneFile> known_scenes() {
   const fs::path built_with = experiments_above(BAKE_SOURCE_DIR);
   std::vector<SceneFile> scenes = scenes_in(here);
   if (built_with != here) {
-    const auto is_here = [near = scenes](const SceneFile& other) {
-      return std::any_of(near.begin(), near.end(),
+    const auto is_here = [&](const SceneFile& other) {
+      return std::any_of(scenes.begin(), scenes.end(),
                          [&](const SceneFile& scene) { return scene.experiment == other.experiment && scene.name == other.name; });
     };
     std::vector<SceneFile> more = scenes_in(built_with);

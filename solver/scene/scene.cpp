@@ -9,8 +9,8 @@ bool Scene::lists(std::string_view effect) const { return std::find(effects.begi
 
 /// The place of the key, or else of the table or list that it belongs to, or else the file.
 std::string Scene::at(const std::string& key) const {
-  for (std::string name = key; !name.empty(); name.resize(name.find('.') == std::string::npos ? 0 : name.rfind('.')))
-    if (const auto place = places.find(name); place != places.end()) return place->second + ": " + key;
+  for (std::size_t end = key.size(); end != std::string::npos; end = key.rfind('.', end - 1))
+    if (const auto place = places.find(key.substr(0, end)); place != places.end()) return place->second + ": " + key;
   return file.string() + ": " + key;
 }
 
